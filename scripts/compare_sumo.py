@@ -10,8 +10,9 @@ Both see one network, our OpenDRIVE export as netconvert reads it, with our sign
 is when the time begins, with its speed, length and lane, and every edge that it drives in twice the time: so streets stay as full
 as ours. SUMO drives each along the same edges from the same place. Its car-following model (Krauss) and junctions are its own;
 vehicles are ours: speed factors from 0.88 to 1.12, headways from 0.75 to 1.4 s, the acceleration and braking of drivers in the
-mean, bends taken at 2 m/s2 sideways, and the smallest gaps taken after 25 s before those with priority, where SUMO's own figures
-would be 2.6, 4.5 and 5.5 m/s2 and 180 s. Those on two wheels have no
+mean, bends taken at 2 m/s2 sideways, the speeds that lorries, buses and bicycles reach, and the smallest gaps taken after 25 s before those with priority, where SUMO's own figures
+would be 2.6, 4.5 and 5.5 m/s2 and 180 s. SUMO knows bends in junctions alone: each road's lanes have the mean speed with which its bends
+let one through. Those on two wheels have no
 models in the comparison: they are simulated with the others by us, and driven as short cars by SUMO.
 
 Printed: mean time to where each of ours is when the time ends, ours and SUMO's, and five of the surrogate safety measures of
@@ -28,6 +29,7 @@ Exits with 1 if the mean time differs by more than 15 %, or a measure by more th
 """
 
 import argparse
+import bisect
 import collections
 import json
 import math
@@ -41,6 +43,13 @@ STEP_S = 0.5
 NEAR_M = 4.0
 # After waiting for so long our drivers take the smallest gaps that they ever take before those with priority.
 IMPATIENT_S = 25
+# Sideways acceleration in bends, and that with which drivers slow down before them and speed up behind, m/s2.
+BEND_MPS2 = 2.0
+SLOWS_DOWN_MPS2, SPEEDS_UP_MPS2 = 1.3, 1.75
+# What those reach that are slower than limits, m/s.
+MOST_MPS = {"bicycle": 4.8, "truck": 23.0, "bus": 22.0}
+# Bends are measured over so many metres to both sides of a place.
+BEND_M = 8.0
 
 
 def program(name):
@@ -111,6 +120,49 @@ def write_programs(net_file, geojson_file, out_file):
                 state += "g" if letter == "G" and yields[i] else letter
             ET.SubElement(element, "phase", duration=f"{end - begin:.3f}", state=state)
     ET.ElementTree(root).write(out_file)
+
+
+def mean_speed_through_bends(shape, limit):
+    """The mean speed of who drives along a lane at a limit, m/s, and goes through its bends at the usual acceleration sideways."""
+    along = [0.0]
+    for a, b in zip(shape, shape[1:]):
+        along.append(along[-1] + math.dist(a, b))
+
+    def at(s):
+        k = max(1, min(len(shape) - 1, bisect.bisect(along, s)))
+        u = (s - along[k - 1]) / max(along[k] - along[k - 1], 1e-9)
+        return [a + u * (b - a) for a, b in zip(shape[k - 1], shape[k])]
+
+    stations = max(int(along[-1] // 2), 1)
+    step = along[-1] / stations
+    speeds = []
+    for k in range(stations + 1):
+        middle = min(max(k * step, BEND_M), along[-1] - BEND_M)
+        if along[-1] < 2 * BEND_M:
+            speeds.append(limit)
+            continue
+        a, b, c = at(middle - BEND_M), at(middle), at(middle + BEND_M)
+        # Of the circle through three points.
+        area = abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+        curvature = 2 * area / max(math.dist(a, b) * math.dist(b, c) * math.dist(a, c), 1e-9)
+        speeds.append(min(limit, math.sqrt(BEND_MPS2 / max(curvature, 1e-9))))
+    for k in range(1, len(speeds)):
+        speeds[k] = min(speeds[k], math.sqrt(speeds[k - 1] ** 2 + 2 * SPEEDS_UP_MPS2 * step))
+    for k in reversed(range(len(speeds) - 1)):
+        speeds[k] = min(speeds[k], math.sqrt(speeds[k + 1] ** 2 + 2 * SLOWS_DOWN_MPS2 * step))
+    return len(speeds) / sum(1 / max(speed, 0.1) for speed in speeds)
+
+
+def slow_down_in_bends(net_file):
+    """Gives the lanes of roads with bends the speed that these allow."""
+    tree = ET.parse(net_file)
+    for edge in tree.getroot().iter("edge"):
+        if edge.get("function") == "internal":
+            continue
+        for lane in edge.iter("lane"):
+            shape = [tuple(map(float, point.split(",")[:2])) for point in lane.get("shape").split()]
+            lane.set("speed", f"{mean_speed_through_bends(shape, float(lane.get('speed'))):.2f}")
+    tree.write(net_file)
 
 
 class Network:
@@ -202,11 +254,13 @@ def write_demand(trips, network, seconds, out_file):
                              speedFactor=f"{0.88 + 0.24 * share(number, 1):.3f}", tau=f"{0.75 + 0.65 * share(number, 2):.3f}",
                              accel="1.1" if heavy else "1.75", decel="1.95", emergencyDecel="7.5", carFollowModel="Krauss")
         kind.set("vClass", {"bus": "bus", "truck": "truck"}.get(first["class"], "passenger"))
-        if first["class"] == "bicycle":
-            kind.set("maxSpeed", "5")
+        most_mps = MOST_MPS.get(first["class"])
+        if most_mps:
+            kind.set("maxSpeed", str(most_mps))
+        starts_mps = min(begin[3], 0.85 * begin[1].getSpeed(), 0.85 * (most_mps or math.inf))
         element = ET.SubElement(root, "vehicle", id=vehicle, type=f"t{vehicle}", depart="0",
                                 departLane=begin[1].getID().rsplit("_", 1)[1], departPos=f"{begin[2]:.2f}",
-                                departSpeed=f"{min(begin[3], 0.85 * begin[1].getSpeed(), 4.9):.2f}", insertionChecks="none")
+                                departSpeed=f"{starts_mps:.2f}", insertionChecks="none")
         ET.SubElement(element, "route", edges=" ".join(edge.getID() for edge in edges))
     ET.ElementTree(root).write(out_file)
     return kept
@@ -301,7 +355,8 @@ def main():
     for kind, name in (("--opendrive", "map.xodr"), ("--geojson", "map.geojson")):
         run(args.endless, "maps", "export", args.map, kind, file(name))
     run(program("netconvert"), "--opendrive-files", file("map.xodr"), "--output.original-names", "--junctions.endpoint-shape",
-        "--offset.disable-normalization", "--junctions.limit-turn-speed", "2", "-o", file("map.net.xml"))
+        "--offset.disable-normalization", "--junctions.limit-turn-speed", str(BEND_MPS2), "-o", file("map.net.xml"))
+    slow_down_in_bends(file("map.net.xml"))
     run(args.endless, "simulate", args.map, "--seconds", 2 * args.seconds, "--vehicles", args.vehicles, "--pedestrians", 0,
         "--seed", args.seed, "--fps", round(1 / STEP_S), "--out", file("ours.csv"))
     write_programs(file("map.net.xml"), file("map.geojson"), file("programs.add.xml"))

@@ -1,11 +1,11 @@
 //! Lanes through junctions.
 
-use super::curve::{kerb_radius, line_through, way_through};
+use super::curve::{angle, kerb_radius, line_through, way_through};
 use super::graph::StreetSegmentEnd;
 use super::movement::Movement;
 use super::plan::StreetPlan;
 use crate::{JunctionId, Lane, LaneId, Polyline, RoadNetwork, TrafficControl, Turn};
-use endless_world::math::f64::sin_cos;
+use endless_world::math::f64::{sin_cos, wrap_angle};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
@@ -66,9 +66,8 @@ pub(super) fn sensible(plan: &StreetPlan, movements: &[Movement]) -> Vec<Movemen
 
 /// By how much the direction changes along a way beyond what its ends ask for, radians.
 fn winding(plan: &StreetPlan, m: &Movement) -> f64 {
-    use endless_world::math::f64::wrap_angle;
     let line = line(plan, m);
-    let headings: Vec<f64> = line.points().windows(2).map(|w| super::curve::angle((w[1] - w[0]).truncate())).collect();
+    let headings: Vec<f64> = line.points().windows(2).map(|w| angle((w[1] - w[0]).truncate())).collect();
     let total: f64 = headings.windows(2).map(|h| wrap_angle(h[1] - h[0]).abs()).sum();
     total - wrap_angle(headings[headings.len() - 1] - headings[0]).abs()
 }
@@ -81,7 +80,7 @@ fn comfortable(line: &Polyline) -> f64 {
         .map(|k| {
             let s = length * k as f64 / n as f64;
             let (low, high) = ((s - 2.0).max(0.0), (s + 2.0).min(length));
-            endless_world::math::f64::wrap_angle(heading(high) - heading(low)).abs() / (high - low).max(0.5)
+            wrap_angle(heading(high) - heading(low)).abs() / (high - low).max(0.5)
         })
         .fold(1e-4, f64::max);
     (TURN_MPS2 / bend).sqrt()
@@ -118,7 +117,7 @@ fn line(plan: &StreetPlan, m: &Movement) -> Polyline {
     let curve = if m.from == m.to {
         loop_back(p.truncate(), u, q.truncate(), loop_radius(plan.cut(m.from)))
     } else {
-        way_through(p.truncate(), u, q.truncate(), v, widest(plan, m, u.perp_dot(v) < 0.0))
+        way_through(p.truncate(), u, q.truncate(), v, widest(plan, m, wrap_angle(angle(v) - angle(u))))
     };
     let total: f64 = curve.windows(2).map(|w| w[0].distance(w[1])).sum();
     let mut s = 0.0;
@@ -138,13 +137,13 @@ pub(super) fn loop_radius(cut: f64) -> f64 {
     (cut / 2.5).clamp(1.0, DEAD_END_RADIUS_M)
 }
 
-/// Radius of the widest bend of a way: to the right concentric with the kerb of the corner, or those who turn would cut
-/// across it.
-fn widest(plan: &StreetPlan, m: &Movement, right: bool) -> f64 {
-    if !right {
+/// Radius of the widest bend of a way that turns by an angle: to the right concentric with the kerb of the corner, or those
+/// who turn would cut across it.
+fn widest(plan: &StreetPlan, m: &Movement, turn: f64) -> f64 {
+    if turn >= 0.0 {
         return f64::INFINITY;
     }
-    let kerb = kerb_radius(plan.street(m.from).class.corner_m().min(plan.street(m.to).class.corner_m()));
+    let kerb = kerb_radius(plan.street(m.from).class.corner_m().min(plan.street(m.to).class.corner_m()), turn);
     let beside = |arm: StreetSegmentEnd, band: usize, side: usize| {
         let section = plan.arm_section(arm);
         let band = if arm.end == 0 { band } else { section.bands.len() - 1 - band };

@@ -3,6 +3,7 @@
 use crate::Polyline;
 use endless_world::math::f64::{atan2, cos, tan, wrap_angle};
 use glam::{DVec2, DVec3};
+use std::f64::consts::FRAC_PI_2;
 
 /// Largest change of direction from one point of a bend to the next, radians.
 const STEP_RAD: f64 = 0.03;
@@ -121,9 +122,10 @@ pub(super) fn rays_meet(p: DVec2, u: DVec2, q: DVec2, v: DVec2) -> Option<(f64, 
     Some((d.perp_dot(v) / cross, d.perp_dot(u) / cross))
 }
 
-/// A kerb's radius at a corner, for a usual one of the road class.
-pub(super) fn kerb_radius(usual_m: f64) -> f64 {
-    1.3 * usual_m
+/// A kerb's radius at a corner where the way turns by an angle, for a usual one of the road class. Where it turns by less than
+/// a right angle, the bend begins as far before the corner as there: on a road that goes nearly straight on it is wide.
+pub(super) fn kerb_radius(usual_m: f64, turn: f64) -> f64 {
+    1.3 * usual_m / tan(turn.abs().clamp(1e-3, FRAC_PI_2) / 2.0)
 }
 
 /// A kerb around a corner from `p`, arriving along `u`, to `q`, leaving against `v` (both point into the junction);
@@ -135,7 +137,7 @@ pub(super) fn corner(p: DVec2, u: DVec2, q: DVec2, v: DVec2, radius_m: f64, n: u
     if let Some((a, b)) = meet {
         let corner = p + u * a;
         let turn = wrap_angle(angle(-v) - angle(u)).abs();
-        let tangent = a.min(b).min(kerb_radius(radius_m) * tan(turn.min(2.8) / 2.0));
+        let tangent = a.min(b).min(kerb_radius(radius_m, turn) * tan(turn.min(2.8) / 2.0));
         let (from, to) = (corner - u * tangent, corner - v * tangent);
         let weight = cos(turn.min(2.8) / 2.0).max(0.15);
         let at = |t| conic(from.extend(0.0), corner.extend(0.0), to.extend(0.0), weight, t).truncate();
