@@ -9,8 +9,8 @@ use crate::overlap::{
 use crate::sitting::BenchPlaces;
 use crate::stop_places::StopPlaces;
 use crate::turn_lane;
-use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
-use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
+use endless_road::swept::{LONG_M, fits, leaves_oncoming_room, mean_curvature_per_m, smallest_radius_m};
+use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, Polyline, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
 use glam::Vec3;
 use std::{ops::Deref, sync::Arc};
@@ -19,6 +19,9 @@ use std::{ops::Deref, sync::Arc};
 const STATION_M: f64 = 1.0;
 /// Sideways acceleration that people accept in bends, m/s².
 const BEND_MPS2: f64 = 2.0;
+/// Bends are felt after this, seconds; over so many metres they are looked at.
+const FELT_S: f64 = 0.8;
+const BEND_WINDOWS_M: [f64; 4] = [4.0, 8.0, 16.0, 24.0];
 /// Braking planned before a bend, m/s².
 const PLANNED_BRAKING: f64 = 1.3;
 
@@ -238,16 +241,22 @@ fn lanes_that_lead_on(network: &RoadNetwork, borders: &Borders, mut stays: Vec<b
     }
 }
 
+/// The speed at which a bend is felt as much as people accept: a bend that is over sooner than [`FELT_S`] is felt less. Roads of
+/// maps are chains of straight pieces with short bends between them.
+fn bend_speed_mps(line: &Polyline, s: f64) -> f64 {
+    let speeds =
+        BEND_WINDOWS_M.map(|over_m| (over_m, (BEND_MPS2 / mean_curvature_per_m(line, s, over_m).max(1e-4)).sqrt()));
+    let lasts = speeds.iter().find(|(over_m, mps)| FELT_S * mps <= *over_m);
+    lasts.map_or(speeds[speeds.len() - 1].1, |(_, mps)| *mps)
+}
+
 fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
     let lane = network.lane(id);
     let line = &lane.centerline;
     let length = line.length();
     let stations = (length / STATION_M).ceil() as usize + 1;
     let mut profile: Vec<f64> = (0..stations)
-        .map(|i| {
-            let bend = curvature_per_m(line, (i as f64 * STATION_M).min(length));
-            lane.speed_limit_mps.min((BEND_MPS2 / bend.max(1e-4)).sqrt()).max(1.5)
-        })
+        .map(|i| lane.speed_limit_mps.min(bend_speed_mps(line, (i as f64 * STATION_M).min(length))).max(1.5))
         .collect();
     for i in (0..stations - 1).rev() {
         profile[i] = profile[i].min(fastest_before(profile[i + 1], STATION_M));

@@ -32,7 +32,12 @@ const BENDS: f64 = 1.15;
 
 /// How much a line bends at `s`, radians a metre, over four metres of it.
 pub fn curvature_per_m(line: &Polyline, s: f64) -> f64 {
-    let (before, after) = ((s - 2.0).max(0.0), (s + 2.0).min(line.length()));
+    mean_curvature_per_m(line, s, 4.0)
+}
+
+/// How much a line bends at `s`, radians a metre, over some metres of it.
+pub fn mean_curvature_per_m(line: &Polyline, s: f64, over_m: f64) -> f64 {
+    let (before, after) = ((s - 0.5 * over_m).max(0.0), (s + 0.5 * over_m).min(line.length()));
     let turn = wrap_angle(line.at(after).heading_rad - line.at(before).heading_rad).abs();
     turn / (after - before).max(0.5)
 }
