@@ -8,7 +8,7 @@ use endless_asset::{Catalogue, Prop};
 use endless_road::{Georeference, RoadNetwork};
 use endless_scene::{Mesh, StreetLamp};
 use endless_world::math::f64::atan2;
-use endless_world::{BenchSeat, BusStop, CameraSite, ParkedVehicle, Side, Stream};
+use endless_world::{BenchSeat, BusStop, CameraSite, ParkedVehicle, ParkingBay, Side, Stream};
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -35,6 +35,8 @@ pub struct Town {
     pub placements: Vec<Placement>,
     /// Parked vehicles. Number i carries instance id i + 1 in every video.
     pub parked: Vec<ParkedVehicle>,
+    /// Bays along the kerbs of streets, taken and free ones.
+    pub parking_bays: Vec<ParkingBay>,
     /// Street lamps.
     pub lamps: Vec<StreetLamp>,
     /// At least five camera sites.

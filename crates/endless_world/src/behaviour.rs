@@ -12,6 +12,18 @@ pub enum Side {
     Right,
 }
 
+/// How far a vehicle is that parks at the kerb.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Parking {
+    /// On the way from the lane to its place at the kerb.
+    PullingIn,
+    /// Standing there, off the lane.
+    Parked,
+    /// On the way back to the lane.
+    PullingOut,
+}
+
 /// A place on a lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LanePlace {
@@ -28,6 +40,8 @@ pub struct Behaviour {
     pub lane: Option<LanePlace>,
     /// Of a vehicle: the lane that it is leaving for the one it is on, by index.
     pub lane_left: Option<u32>,
+    /// Of a vehicle that parks at the kerb, or comes from there: how far it is. While it is parked it is on no lane.
+    pub parking: Option<Parking>,
     /// Of a vehicle: change of its speed, m/s².
     pub acceleration_mps2: f32,
     /// Of a vehicle: where its indicators show, whether they are lit at this instant or not.

@@ -39,6 +39,7 @@ mod keypoint;
 mod lens;
 mod light_variation;
 pub mod math;
+mod parking_bay;
 mod randomisation;
 mod reid;
 mod rig;
@@ -64,7 +65,7 @@ pub use asset::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
 pub use attributes::{
     AgeGroup, ColoredPiece, Hairdo, NamedColor, Occupants, PersonAttributes, Sex, VehicleAttributes, Word,
 };
-pub use behaviour::{Behaviour, LanePlace, Side};
+pub use behaviour::{Behaviour, LanePlace, Parking, Side};
 pub use bench_seat::BenchSeat;
 pub use body_part::BodyPart;
 pub use bus_stop::BusStop;
@@ -84,6 +85,7 @@ pub use intrinsics::{ImageSize, Intrinsics};
 pub use keypoint::{BodyKeypoints, FOOT_KEYPOINT_COUNT, FOOT_KEYPOINTS, KEYPOINT_COUNT, KEYPOINT_LIMBS, KEYPOINTS};
 pub use lens::{DepthMeasure, Fisheye, Lens, LensModel};
 pub use light_variation::LightVariation;
+pub use parking_bay::ParkingBay;
 pub use randomisation::{RandomisedPart, SceneRandomisation};
 pub use reid::{LookPool, Reid};
 pub use rig::{

@@ -118,7 +118,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
     posts.lamps(&mut assembly);
     posts.street_furniture(&mut assembly);
     let known_trees = planter.known(&mut assembly);
-    parking::add(&mut assembly, &map.network, &lane_surfaces, &areas, &pavement, &land);
+    let kerb_bays = parking::add(&mut assembly, &map.network, &lane_surfaces, &areas, &pavement, &land);
     let gardener = GardenBuilder { pavement: &pavement, land: &land };
     let mut gardens = MeshBuilder::new();
     let forecourts = gardener.pave(&yards, &mut gardens, &mut assembly);
@@ -145,6 +145,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
     let street_features = features::features(map, &lane_surfaces, &pavement);
     let (placements, parked, lamps, occupied) =
         (assembly.placements, assembly.parked, assembly.lamps, assembly.occupied);
+    let parking_bays = parking::usable(&kerb_bays, &occupied);
     let maize = preset.maize;
     let detail = DetailGround { pavement, land, areas, density, parcels, forecourts, occupied, maize, seed };
     Ok(Town {
@@ -155,6 +156,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
         placements: own_placements(&own).chain(placements).collect(),
         meshes: own.into_iter().map(|(mesh, _)| mesh.into()).collect(),
         parked,
+        parking_bays,
         lamps,
         cameras,
         streets: street_features,

@@ -7,7 +7,7 @@ use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::pavement::crossing;
 use crate::dressing::road_furniture::parking_bay::{ParkingBay, along, rows};
 use crate::dressing::road_furniture::swept_ground::clear_of_traffic;
-use crate::geometry::unit;
+use crate::geometry::{OccupiedSpace, unit};
 use endless_road::{LandUse, LaneSurface, LaneType, RoadNetwork};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{ParkedVehicle, Pose, Stream, VehicleRef, VehicleSpec};
@@ -19,9 +19,25 @@ const TAKEN: f64 = 0.62;
 /// Between who stands in a bay and its ends, both together, metres; and what a bay is wider than who stands in it.
 const ENDS_M: f64 = 0.15;
 const SIDES_M: f64 = 0.05;
+/// Strips of car parks are numbered from here on.
+const CAR_PARKS: u64 = 90_000;
 /// Of more bays than have so many vehicles, a smaller share is taken.
 const MOST: f64 = 1500.0;
 
+/// A bay along the kerb of a street.
+pub(crate) struct KerbBay {
+    bay: ParkingBay,
+    /// By a vehicle.
+    is_taken: bool,
+}
+
+/// Those in which a vehicle stands, or could.
+pub(crate) fn usable(bays: &[KerbBay], occupied: &OccupiedSpace) -> Vec<endless_world::ParkingBay> {
+    let usable = bays.iter().filter(|KerbBay { bay, is_taken }| *is_taken || occupied.is_free(&bay.rect()));
+    usable.map(|KerbBay { bay, .. }| bay.told()).collect()
+}
+
+/// Parks vehicles. Returns the bays along kerbs.
 pub(crate) fn add(
     assembly: &mut TownAssembly<'_>,
     network: &RoadNetwork,
@@ -29,7 +45,7 @@ pub(crate) fn add(
     areas: &LandUseMap,
     pavement: &PavementIndex,
     land: &GroundGrid,
-) {
+) -> Vec<KerbBay> {
     // Each with a number of its own from which all that stands there is drawn.
     let mut bays: Vec<([u64; 2], ParkingBay)> = Vec::new();
     for (i, strip) in lane_surfaces.iter().enumerate().filter(|(_, s)| s.kind == LaneType::Parking && !s.in_junction) {
@@ -54,17 +70,20 @@ pub(crate) fn add(
     }
     for (i, area) in areas.of(LandUse::Parking).enumerate() {
         let inside = rows(&area.outline, &area.holes, pavement, land);
-        bays.extend(inside.into_iter().enumerate().map(|(k, bay)| ([90_000 + i as u64, k as u64], bay)));
+        bays.extend(inside.into_iter().enumerate().map(|(k, bay)| ([CAR_PARKS + i as u64, k as u64], bay)));
     }
     let clear = clear_of_traffic(network, &bays.iter().map(|b| b.1).collect::<Vec<_>>());
     let bays: Vec<_> = bays.iter().zip(clear).filter(|(_, clear)| *clear).map(|(bay, _)| bay).collect();
     let taken = TAKEN.min(MOST / bays.len().max(1) as f64);
+    let mut at_kerb = Vec::new();
     for ([strip, k], bay) in bays {
         let mut stream = assembly.stream(*strip).fork(*k);
-        if stream.chance(taken) {
-            park(assembly, bay, &mut stream);
+        let is_taken = stream.chance(taken) && park(assembly, bay, &mut stream);
+        if *strip < CAR_PARKS && bay.is_along() {
+            at_kerb.push(KerbBay { bay: *bay, is_taken });
         }
     }
+    at_kerb
 }
 
 /// Whether a car would stand on or right before a crossing.
@@ -79,19 +98,21 @@ fn traffic_heading(network: &RoadNetwork, at: DVec2) -> Option<f64> {
     (near.1.1.abs() < 12.0).then(|| near.0.centerline.at(near.1.0).heading_rad)
 }
 
-/// Who stands in a bay, if it is free. What is taken is the bay, whatever stands in it: its neighbours do not depend on it.
-fn park(assembly: &mut TownAssembly<'_>, bay: &ParkingBay, stream: &mut Stream) {
+/// Who stands in a bay, if it is free; whether somebody does. What is taken is the bay, whatever stands in it: its neighbours do not depend on it.
+fn park(assembly: &mut TownAssembly<'_>, bay: &ParkingBay, stream: &mut Stream) -> bool {
     let fits = |spec: &VehicleSpec| {
         f64::from(spec.length_m) <= bay.room.x - ENDS_M && f64::from(spec.width_m) <= bay.room.y - SIDES_M
     };
-    let Some(model) = assembly.catalogue.choose_parked(stream, fits) else { return };
+    let Some(model) = assembly.catalogue.choose_parked(stream, fits) else { return false };
     let variant = stream.next_u64();
     let yaw = bay.yaw + (stream.normal() * 0.015).clamp(-0.03, 0.03);
     let ahead = (stream.normal() * 0.12).clamp(-ENDS_M / 2.0, ENDS_M / 2.0);
-    if assembly.occupied.try_take(bay.rect()) {
+    let is_free = assembly.occupied.try_take(bay.rect());
+    if is_free {
         let at = bay.at + (unit(yaw) * ahead).extend(0.0);
         let pitch_rad = endless_world::math::atan(bay.grade as f32);
         let pose = Pose { pitch_rad, ..Pose::level(at.as_vec3(), yaw as f32) };
         assembly.parked.push(ParkedVehicle { vehicle: VehicleRef { model, variant }, pose });
     }
+    is_free
 }

@@ -33,6 +33,17 @@ impl ParkingBay {
     pub(crate) fn rect(&self) -> Rect {
         Rect::new(self.at.truncate(), self.room / 2.0, self.yaw)
     }
+
+    /// Whether one stands in it along the kerb.
+    pub(crate) fn is_along(&self) -> bool {
+        self.room.x == ALONG_M
+    }
+
+    /// As others know it.
+    pub(crate) fn told(&self) -> endless_world::ParkingBay {
+        let [length_m, width_m] = self.room.as_vec2().to_array();
+        endless_world::ParkingBay { position: self.at.as_vec3(), yaw_rad: self.yaw as f32, length_m, width_m }
+    }
 }
 
 /// Bays of a parking lane.
