@@ -1,7 +1,7 @@
 //! What an object is doing.
 
 use crate::rounding::thousandths;
-use endless_world::{Actor, Gait, Motion, Side};
+use endless_world::{Actor, Gait, Motion, Parking, Side};
 use serde::{Deserialize, Serialize};
 
 /// Slower than this one stands, m/s.
@@ -85,6 +85,9 @@ pub struct Activity {
     /// Vehicles that change lanes: the lane that they leave.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lane_left: Option<u32>,
+    /// Vehicles that park at the kerb during the video, or pull out: how far they are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parking: Option<Parking>,
     /// People: index of the crossing underfoot.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub crossing: Option<u16>,
@@ -100,6 +103,7 @@ impl Activity {
     /// Of the actor itself.
     pub(crate) fn of(actor: &Actor) -> Self {
         let behaviour = actor.behaviour;
+        let is_parked = actor.parked || behaviour.parking == Some(Parking::Parked);
         match &actor.motion {
             Motion::Walker(motion) => Self {
                 action: Some(motion.gait.into()),
@@ -109,8 +113,9 @@ impl Activity {
                 ..Self::default()
             },
             Motion::Vehicle(motion) => Self {
+                parking: behaviour.parking,
                 lights: Some(motion.lights.iter_names().map(|(name, _)| name.to_lowercase()).collect()),
-                stopped: Some(!actor.parked && motion.speed_mps.abs() < STANDS_MPS),
+                stopped: Some(!is_parked && motion.speed_mps.abs() < STANDS_MPS),
                 acceleration_mps2: (!actor.parked).then(|| thousandths(behaviour.acceleration_mps2)),
                 steer_rad: Some(thousandths(motion.steer_rad)),
                 indicating: behaviour.indicating,

@@ -47,6 +47,7 @@ const FIELDS: &[(&str, &str)] = &[
     ("road_lane", "OpenDRIVE id of that lane on its road"),
     ("lane_s_m", "metres along that lane's centre line"),
     ("lane_left", "index of the lane that a vehicle leaves for another"),
+    ("parking", "a vehicle that parks at the kerb during the video: pulling_in, parked or pulling_out"),
     ("crossing", "index of the crossing under somebody's feet"),
     ("waiting_to_cross", "somebody stands at a kerb until they may cross"),
     (
