@@ -58,6 +58,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         groups: args.groups,
         bus_stops: town.bus_stops(),
         bench_seats: town.bench_seats(),
+        parking_bays: town.parking_bays.clone(),
         deliveries: USUAL_DELIVERIES,
         ..TrafficSettings::default()
     };
@@ -67,6 +68,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         TrafficAudit::new(&town.network, &specs, traffic.parked(), settings.fps)
             .with_aggressiveness(args.aggressiveness)
             .with_bench_seats(&settings.bench_seats)
+            .with_parking_bays(&settings.parking_bays)
     });
     let frames = (args.seconds * settings.fps).round() as u32;
     let mut simulating = Duration::ZERO;

@@ -136,6 +136,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         groups: f64::from(number(10, 0.0)),
         bus_stops: town.bus_stops(),
         bench_seats: town.bench_seats(),
+        parking_bays: town.parking_bays.clone(),
         focus: Focus::new(&town.network, &[View::around(centre.extend(0.0))], 0.8, &|_, _| true),
         ..TrafficSettings::default()
     };

@@ -13,7 +13,8 @@ const STANDS_MPS: f64 = 0.1;
 pub(crate) fn of_vehicle(vehicle: &Vehicle, roads: &Roads) -> Behaviour {
     let lane = vehicle.lane();
     Behaviour {
-        lane: Some(LanePlace { lane: lane.0, s_m: vehicle.s as f32 }),
+        lane: (!vehicle.is_parked()).then_some(LanePlace { lane: lane.0, s_m: vehicle.s as f32 }),
+        parking: vehicle.kerb_halt.and_then(|halt| halt.parking()),
         lane_left: vehicle.shift.map(|shift| shift.from.0),
         acceleration_mps2: vehicle.acceleration as f32,
         indicating: vehicle.indicating,

@@ -130,7 +130,9 @@ impl Gathering {
         for (i, vehicle) in vehicles.iter().enumerate() {
             let views = views_ahead(roads, vehicle, coming_m);
             count_in(&mut counts, views);
-            if views == 0 && vehicle.drawn {
+            // Who parks, or comes from there, stays.
+            let parks = vehicle.kerb_halt.is_some_and(|halt| halt.bay.is_some());
+            if views == 0 && vehicle.drawn && !parks {
                 idle.push(i);
             }
         }

@@ -93,7 +93,7 @@ impl Roadway {
         }
         self.watches.sort_unstable_by_key(|watch| (watch.lane, watch.walker));
         self.approaches.resize(walkers, Vec::new());
-        for vehicle in vehicles {
+        for vehicle in vehicles.iter().filter(|vehicle| !vehicle.is_parked()) {
             let mut base = -vehicle.s;
             for &lane in vehicle.route.iter().take(vehicle.here).rev() {
                 base -= roads.table(lane).length;

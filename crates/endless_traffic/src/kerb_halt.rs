@@ -1,10 +1,14 @@
 //! A halt at the kerb: a vehicle indicates, pulls in as far as its lane allows, stands for a while, indicates to the road and
-//! drives on. It keeps to its lane meanwhile; those behind it wait, or change lanes.
+//! drives on. It keeps to its lane meanwhile; those behind it wait, or change lanes. Who parks leaves the lane for a bay beside it.
 
 use crate::driver::Driver;
 use crate::incident::Drift;
+use crate::parking_manoeuvre::BayWay;
+use crate::parking_place::ParkingPlace;
+use crate::roads::fastest_before;
+use crate::vehicle::Vehicle;
 use endless_road::LaneId;
-use endless_world::Side;
+use endless_world::{Parking, Side};
 
 /// Pulling in ends so far before the place, metres.
 pub(crate) const STRAIGHT_M: f64 = 3.0;
@@ -18,9 +22,14 @@ const CLOSES_S: f64 = 1.0;
 /// A line that is never passed, so near ahead of who stands, metres.
 const HOLDS_M: f64 = 0.06;
 /// What a driver's braking leaves to the line on average, metres.
-const LEAVES_M: f64 = 0.6;
+pub(crate) const LEAVES_M: f64 = 0.6;
 /// Braking before a halt, m/s²: people stand in buses.
 const BRAKING_MPS2: f64 = 1.2;
+/// Speeds into a bay and out of it, m/s.
+const INTO_BAY_MPS: f64 = 3.2;
+const OUT_OF_BAY_MPS: f64 = 4.0;
+/// Who has parked for so long has turned off all lamps, seconds.
+const SWITCHES_OFF_S: f64 = 2.0;
 
 /// How far a vehicle is with it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +52,8 @@ pub(crate) struct KerbHalt {
     pub(crate) side: Side,
     /// The bus stop at which people get on and off.
     pub(crate) stop: Option<usize>,
+    /// The bay in which it parks, off the lane.
+    pub(crate) bay: Option<BayWay>,
     /// Whether its hazard lights are on while it stands.
     pub(crate) hazards: bool,
     /// For how long it has stood, seconds.
@@ -72,6 +83,7 @@ impl KerbHalt {
             front_s,
             side,
             stop: None,
+            bay: None,
             hazards: false,
             stood_s: 0.0,
             left_m,
@@ -79,6 +91,15 @@ impl KerbHalt {
             phase: Phase::Coming,
             drift: None,
             ahead_m,
+        }
+    }
+
+    /// In a bay that lies so far ahead, metres.
+    pub(crate) fn in_bay((place, way): (&ParkingPlace, BayWay), me: &Vehicle, ahead_m: f64, stands_s: f64) -> Self {
+        let front = (place.lane, place.s + me.half_length, ahead_m);
+        Self {
+            bay: Some(way),
+            ..Self::new(me.driver.lateral_m, front, (place.side, place.stands_left_m(2.0 * me.half_width)), stands_s)
         }
     }
 
@@ -111,6 +132,26 @@ impl KerbHalt {
         }
     }
 
+    /// Whether it stands parked, off the lane.
+    pub(crate) fn is_parked(&self) -> bool {
+        self.bay.is_some() && matches!(self.phase, Phase::Standing { .. })
+    }
+
+    /// How far it is with parking.
+    pub(crate) fn parking(&self) -> Option<Parking> {
+        self.bay?;
+        match self.phase {
+            Phase::Coming => self.drift.map(|_| Parking::PullingIn),
+            Phase::Standing { .. } => Some(Parking::Parked),
+            Phase::Leaving => Some(Parking::PullingOut),
+        }
+    }
+
+    /// Whether it stands parked without a lamp lit.
+    pub(crate) fn is_dark(&self) -> bool {
+        self.is_parked() && self.stands() && self.stood_s > SWITCHES_OFF_S
+    }
+
     /// A vehicle this fast can come to a comfortable halt from so far, metres.
     pub(crate) fn least_ahead_m(speed_mps: f64) -> f64 {
         speed_mps * speed_mps / (2.0 * BRAKING_MPS2) + LEAST_DRIFT_M + STRAIGHT_M
@@ -123,6 +164,14 @@ impl KerbHalt {
 
     /// The acceleration of somebody who would like to have that one, m/s².
     pub(crate) fn wanted(&self, wanted: f64, driver: &Driver, speed_mps: f64) -> f64 {
+        let pace = |mps: f64| wanted.min(driver.free(speed_mps, mps));
+        let wanted = match (self.bay, self.phase) {
+            (Some(way), Phase::Coming) => {
+                pace(fastest_before(INTO_BAY_MPS, (self.ahead_m - LEAVES_M - way.begins_m()).max(0.0)))
+            }
+            (Some(_), Phase::Leaving) => pace(OUT_OF_BAY_MPS),
+            _ => wanted,
+        };
         let gap_m = match self.phase {
             Phase::Coming => self.ahead_m,
             Phase::Standing { .. } => HOLDS_M,

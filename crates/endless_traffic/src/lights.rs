@@ -10,6 +10,10 @@ use endless_world::{ObjectClass, Side, VehicleLights};
 const BLINK_HZ: f64 = 1.5;
 
 pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, headlights_on: f32, time_s: f64, step_s: f64) {
+    if vehicle.kerb_halt.is_some_and(|halt| halt.is_dark()) {
+        (vehicle.lights, vehicle.indicating, vehicle.brake_hold_s) = (VehicleLights::empty(), None, 0.0);
+        return;
+    }
     let warns = vehicle.kerb_halt.is_some_and(|halt| halt.warns());
     let hazards = warns || vehicle.order.is_some_and(|order| vehicle.speed < order.hazards_below_mps);
     if vehicle.class != ObjectClass::Bicycle {

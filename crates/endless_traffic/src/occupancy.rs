@@ -105,7 +105,7 @@ impl Occupancy {
             lane.clear();
         }
         let mut scratch = std::mem::take(&mut self.scratch);
-        for (i, vehicle) in vehicles.iter().enumerate() {
+        for (i, vehicle) in vehicles.iter().enumerate().filter(|(_, vehicle)| !vehicle.is_parked()) {
             vehicle.covers(roads, &mut scratch);
             let (across, queues) = (vehicle.across(), filtering::queues(vehicle));
             let filters = vehicle.filtering.is_some();

@@ -2,7 +2,7 @@
 
 use crate::Focus;
 use endless_world::walking::PedestrianSpec;
-use endless_world::{BenchSeat, BusStop, Condition, ObjectClass, TrafficProfile, VehicleSpec};
+use endless_world::{BenchSeat, BusStop, Condition, ObjectClass, ParkingBay, TrafficProfile, VehicleSpec};
 use glam::Vec3;
 
 /// The vehicles and people there are to draw from.
@@ -84,6 +84,8 @@ pub struct TrafficSettings {
     pub bus_stops: Vec<BusStop>,
     /// Seats of benches; nowhere by default.
     pub bench_seats: Vec<BenchSeat>,
+    /// Bays at kerbs, in which drivers park; nowhere by default.
+    pub parking_bays: Vec<ParkingBay>,
     /// Share of people who cross roads away from crossings when a gap in traffic lets them, 0 to 1.
     pub jaywalking: f64,
     /// Share of people who walk in groups of two to four, 0 to 1.
@@ -109,6 +111,7 @@ impl Default for TrafficSettings {
             errands: Vec::new(),
             bus_stops: Vec::new(),
             bench_seats: Vec::new(),
+            parking_bays: Vec::new(),
             jaywalking: 0.0,
             groups: 0.0,
             deliveries: 0.0,

@@ -17,6 +17,8 @@ use crate::jaywalk::{Roadway, people_on_lanes};
 use crate::junction_controller::JunctionController;
 use crate::midblock::MidblockWays;
 use crate::occupancy::Occupancy;
+use crate::parking::KerbParking;
+use crate::parking_place::ParkingPlace;
 use crate::playback::{Playback, PlayedTracks, Presence};
 use crate::population::Population;
 use crate::roads::{Roads, TrafficMap};
@@ -65,6 +67,7 @@ pub struct Simulation {
     /// Where buses stop.
     bus_halts: Arc<BusHalts>,
     deliveries: Arc<Deliveries>,
+    parking: KerbParking,
     roadway: Roadway,
     signals: Vec<SignalState>,
     /// What controls them, where their plans are not fixed.
@@ -133,14 +136,21 @@ impl Simulation {
         assert!(fps > 0.0, "frames per second must be positive");
         let mut roads = Roads::new(map, &settings.focus, &settings.errands);
         let standing = spawn::standing(fleet.vehicles, parked);
+        let bus_halts = Arc::new(BusHalts::new(&roads, &settings.bus_stops, &standing));
+        // Those who play tracks know nothing of who parks.
+        let bays = if played.is_some() { &[][..] } else { &settings.parking_bays };
+        let places = ParkingPlace::all(&roads, bays, &standing, &bus_halts);
+        let parking = KerbParking::new(places, settings.profile.parked, settings.seed, -WARM_UP_S);
         if settings.jaywalking > 0.0 {
-            roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &standing));
+            let in_the_way: Vec<_> = standing.iter().copied().chain(parking.swept()).collect();
+            roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &in_the_way));
         }
         roads.stop_places = Arc::new(StopPlaces::new(&roads.network, &settings.bus_stops, BODY_M));
         roads.benches = Arc::new(BenchPlaces::new(&roads.network, &settings.bench_seats, BODY_M));
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
-        let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
+        let mut vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
+        parking.stand_some(&roads, &mut vehicles);
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
         let people = walkers.iter().map(|walker| (fleet.pedestrian)(walker.variant));
         let gathering = Gathering::new(&roads, &standing, people, settings.seed);
@@ -162,7 +172,6 @@ impl Simulation {
             population.pedestrians_spawned += people;
         }
         own_ids.go_on_after(ids);
-        let bus_halts = Arc::new(BusHalts::new(&roads, &settings.bus_stops, &standing));
         let deliveries = Arc::new(Deliveries::new(settings.deliveries, &standing));
         let arrivals = Arrivals::new(fleet.vehicles, settings, vehicles.len(), standing);
         let is_actuated = settings.profile.signals == SignalControl::Actuated;
@@ -189,6 +198,7 @@ impl Simulation {
             courtesies,
             bus_halts,
             deliveries,
+            parking,
             roadway: Roadway::default(),
             signals: Vec::new(),
             actuated,
@@ -252,7 +262,8 @@ impl Simulation {
         if self.steps.is_multiple_of(a_second) {
             let seen: Vec<u32> = self.vehicles.iter().map(|v| views_ahead(&self.roads, v, LEADS_M)).collect();
             self.roads.attraction.notice(seen.into_iter());
-            self.roads.attraction.queues.notice(self.vehicles.iter().map(|v| (v.lane(), v.speed)));
+            let driving = self.vehicles.iter().filter(|vehicle| !vehicle.is_parked());
+            self.roads.attraction.queues.notice(driving.map(|v| (v.lane(), v.speed)));
             destination_exchange::step(&self.roads, &self.graph, &mut self.walkers);
             if let Some(gathering) = &mut self.gathering {
                 gathering.step(&self.roads, &self.graph, &mut self.vehicles, &mut self.walkers, -self.time_s);
@@ -293,10 +304,11 @@ impl Simulation {
             }
             if thinks {
                 self.deliveries.look_out(&self.roads, &self.occupancy, &self.bus_halts, &mut self.vehicles, i);
+                self.parking.look_out(&self.roads, &mut self.vehicles, i, self.time_s);
             }
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
-        kerb_halting::step(&self.roads, &mut self.vehicles, step_s);
+        kerb_halting::step(&self.roads, &self.occupancy, &mut self.vehicles, step_s);
         let riders = RiderView {
             roads: &self.roads,
             occupancy: &self.occupancy,

@@ -282,6 +282,11 @@ impl Vehicle {
         Across::between(right_m, left_m, self.half_width)
     }
 
+    /// Whether it stands parked, off its lane.
+    pub(crate) fn is_parked(&self) -> bool {
+        self.kerb_halt.is_some_and(|halt| halt.is_parked())
+    }
+
     /// Its body seen from above, with a margin all round, metres.
     pub(crate) fn footprint(&self, specs: &[VehicleSpec], margin_m: f64) -> OrientedRectangle {
         let spec = &specs[self.asset.model.index()];

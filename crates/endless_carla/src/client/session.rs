@@ -259,6 +259,7 @@ fn simulation(map: &CarlaMap, settings: &SceneSettings, people_alone: bool) -> R
         errands: Vec::new(),
         bus_stops: Vec::new(),
         bench_seats: Vec::new(),
+        parking_bays: Vec::new(),
         deliveries: 0.0,
         // Vehicles of the server would not see them.
         jaywalking: if people_alone { 0.0 } else { settings.jaywalking },

@@ -88,6 +88,8 @@ impl<'m> BuiltinSession<'m> {
         let focus = lookout::focus(map, settings);
         let [vehicles, pedestrians] = map.traffic.asked(&focus, settings);
         let (errands, first) = (lookout::errands(&map.town), carrier_classes(settings));
+        // Where events are asked for, nobody else stands at the kerb; nor where a vehicle that carries sensors could.
+        let parks = settings.events.is_empty() && first.is_empty();
         let traffic = TrafficSettings {
             vehicles,
             pedestrians,
@@ -99,6 +101,7 @@ impl<'m> BuiltinSession<'m> {
             bus_stops: map.town.bus_stops(),
             bench_seats: map.town.bench_seats(),
             // Where events are asked for, nobody else parks on the lane.
+            parking_bays: if parks { map.town.parking_bays.clone() } else { Vec::new() },
             deliveries: if settings.events.is_empty() { USUAL_DELIVERIES } else { 0.0 },
             jaywalking,
             groups,

@@ -45,7 +45,7 @@ impl Calls {
 
 /// The signal before which a vehicle is, if it is near; who stands at the kerb on purpose does not want to get on.
 fn called_by(roads: &Roads, vehicle: &Vehicle) -> Option<SignalId> {
-    if vehicle.kerb_halt.is_some_and(|halt| halt.stands()) {
+    if vehicle.kerb_halt.is_some_and(|halt| halt.stands() || halt.is_parked()) {
         return None;
     }
     let mut ahead = vehicle.ahead(roads).peekable();

@@ -21,6 +21,8 @@ pub enum AuditCheck {
     OffSidewalkShare,
     /// Times that somebody sat down elsewhere than on the seat of a bench.
     BesideSeat,
+    /// Furthest that a corner of somebody who parked during the recording was outside of all bays at kerbs, metres.
+    BesideBay,
     /// Times that somebody got further in a frame than their speed allows, or backwards.
     Jumps,
     /// Times that somebody appeared or vanished elsewhere than at an end of the map's roads or ways.
@@ -70,6 +72,7 @@ impl AuditCheck {
         Self::LaneErrorShare,
         Self::TwoWheelersOut,
         Self::BesideSeat,
+        Self::BesideBay,
         Self::Jumps,
         Self::Vanishings,
         Self::Acceleration,
@@ -96,6 +99,7 @@ impl AuditCheck {
             Self::OffSidewalk => "person off sidewalks and crossings",
             Self::OffSidewalkShare => "time more than 0.1 m off them",
             Self::BesideSeat => "people who sit beside a seat",
+            Self::BesideBay => "parked outside of bays",
             Self::Jumps => "jumps",
             Self::Vanishings => "appeared or vanished inside the map",
             Self::Acceleration => "largest acceleration",
@@ -127,7 +131,7 @@ impl AuditCheck {
             | Self::PeopleAtRed
             | Self::StopSigns => "",
             Self::VehicleStands | Self::PersonStands => "s",
-            Self::OffLane | Self::OffSidewalk | Self::LaneError | Self::TwoWheelersOut => "m",
+            Self::OffLane | Self::OffSidewalk | Self::LaneError | Self::TwoWheelersOut | Self::BesideBay => "m",
             Self::Acceleration => "m/s²",
             Self::Jerk => "m/s³",
             Self::HardAcceleration | Self::HardJerk | Self::LaneErrorShare | Self::OffSidewalkShare => "%",
@@ -152,6 +156,8 @@ impl AuditCheck {
             | Self::TwoWheelersOut => 0.0,
             Self::VehicleStands | Self::PersonStands => 180.0,
             Self::OffSidewalk => 0.5,
+            // Between two bays there is as much.
+            Self::BesideBay => 0.2,
             Self::Acceleration => 8.0,
             Self::Jerk => 60.0,
             Self::HardAcceleration | Self::HardJerk | Self::OffSidewalkShare => 0.1,

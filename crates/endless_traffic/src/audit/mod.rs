@@ -9,6 +9,7 @@
 //!                                                   ├─► motion    jumps, jerks, slips, who vanishes
 //!                                                   ├─► standing  who is stuck
 //!                                                   ├─► bench     who sits on no seat
+//!                                                   ├─► parking   who is parked beside the bays
 //!                                                   ├─► surface   lanes, sidewalks, crossings
 //!                                                   └─► rules     lights, stop signs, limits
 //! ```
@@ -21,6 +22,7 @@ mod check;
 mod contact;
 mod finding;
 mod motion;
+mod parking;
 mod report;
 mod rules;
 mod sight;
@@ -34,8 +36,9 @@ use crate::driver::pace_of;
 use bench::Benches;
 use contact::Contacts;
 use endless_road::RoadNetwork;
-use endless_world::{Actor, BenchSeat, InstanceId, VehicleSpec, WorldState};
+use endless_world::{Actor, BenchSeat, InstanceId, ParkingBay, VehicleSpec, WorldState};
 use motion::Motions;
+use parking::ParkedBodies;
 use rules::Rules;
 use sight::{Glance, Past, Sight};
 use standing::Standing;
@@ -56,6 +59,7 @@ pub struct TrafficAudit<'a> {
     motions: Motions,
     standing: Standing,
     benches: Benches,
+    parking: ParkedBodies,
     surfaces: Surfaces,
     rules: Rules,
 }
@@ -78,6 +82,7 @@ impl<'a> TrafficAudit<'a> {
             motions: Motions::new(network),
             standing: Standing::default(),
             benches: Benches::default(),
+            parking: ParkedBodies::default(),
             surfaces: Surfaces::new(network),
             rules: Rules::new(network),
         }
@@ -93,6 +98,12 @@ impl<'a> TrafficAudit<'a> {
     #[must_use]
     pub fn with_bench_seats(self, seats: &[BenchSeat]) -> Self {
         Self { benches: Benches::new(seats), ..self }
+    }
+
+    /// On a map with these bays at kerbs: vehicles leave their lanes for them, and stand there for long.
+    #[must_use]
+    pub fn with_parking_bays(self, bays: &[ParkingBay]) -> Self {
+        Self { parking: ParkedBodies::new(bays), ..self }
     }
 
     /// Looks at the next frame. Its actors are in the order of their ids.
@@ -120,7 +131,8 @@ impl<'a> TrafficAudit<'a> {
         self.motions.look(&sight);
         self.benches.look(&sight);
         self.standing.look(&sight, &self.benches);
-        self.surfaces.look(&sight, &self.benches);
+        self.parking.look(&sight);
+        self.surfaces.look(&sight, &self.benches, &self.parking);
         self.rules.look(&sight);
         self.before.clear();
         self.before.extend(sight.glances.iter().map(|glance| Past { actor: *glance.actor, ahead: glance.ahead }));
@@ -134,6 +146,7 @@ impl<'a> TrafficAudit<'a> {
             .chain(self.standing.lines())
             .chain(self.surfaces.lines())
             .chain(self.benches.lines())
+            .chain(self.parking.lines())
             .chain(self.motions.lines());
         AuditReport {
             lines: lines.chain(self.rules.lines()).collect(),

@@ -1,8 +1,9 @@
-//! Who does not get on. Those whom a signal holds do not count meanwhile, nor do those who sit on a bench.
+//! Who does not get on. Those whom a signal holds do not count meanwhile, nor do those who sit on a bench or are parked.
 
 use super::bench::Benches;
 use super::check::AuditCheck;
 use super::finding::Worst;
+use super::parking::is_parked;
 use super::report::AuditLine;
 use super::sight::{Glance, Sight, entry};
 use endless_road::{Lane, TrafficControl};
@@ -42,7 +43,7 @@ impl Standing {
             let reach = if glance.driven.is_some() { CREEPS_M } else { SHUFFLES_M };
             let here = Stand { at: glance.at, free_s: 0.0 };
             let stand = entry(&mut self.stands, glance.place()).get_or_insert(here);
-            if stand.at.distance(glance.at) > reach {
+            if stand.at.distance(glance.at) > reach || is_parked(glance) {
                 *stand = here;
                 continue;
             }

@@ -5,6 +5,7 @@ use super::bus_door::is_before_door;
 use super::cell_grid::CellGrid;
 use super::check::AuditCheck;
 use super::finding::{Share, Worst};
+use super::parking::ParkedBodies;
 use super::report::AuditLine;
 use super::sight::{Glance, Sight, entry};
 use endless_road::{Lane, LaneId, RoadNetwork};
@@ -81,10 +82,10 @@ impl Surfaces {
         }
     }
 
-    pub(super) fn look(&mut self, sight: &Sight<'_>, benches: &Benches) {
+    pub(super) fn look(&mut self, sight: &Sight<'_>, benches: &Benches, parking: &ParkedBodies) {
         for glance in &sight.glances {
             match glance.driven {
-                Some((motion, spec)) => self.driving(sight, glance, motion, spec),
+                Some((motion, spec)) => self.driving(sight, parking, glance, (motion, spec)),
                 None => self.walking(sight, benches, glance),
             }
         }
@@ -114,9 +115,16 @@ impl Surfaces {
         self.off_sidewalk_share.note(outside_m > BESIDE_M);
     }
 
-    fn driving(&mut self, sight: &Sight<'_>, glance: &Glance<'_>, motion: VehicleMotion, spec: &VehicleSpec) {
+    fn driving(
+        &mut self,
+        sight: &Sight<'_>,
+        parking: &ParkedBodies,
+        glance: &Glance<'_>,
+        (motion, spec): (VehicleMotion, &VehicleSpec),
+    ) {
         let warns = self.warns(sight, glance, motion);
         let behaviour = glance.actor.behaviour;
+        let parks = behaviour.parking.is_some();
         let (Some((lane, s)), None) = (glance.lane(sight.network), behaviour.lane_left) else { return };
         let [front_m, rear_m] = [spec.front_axle_m, spec.rear_axle_m].map(f64::from);
         let aside = |along_m: f64| aside(sight.network, lane, s + along_m, glance.at + glance.ahead * along_m);
@@ -126,11 +134,16 @@ impl Surfaces {
             // Between two lanes of one direction they pass queues: the body may be over the line, but no further.
             let room_m = if middle.beside_lane { width_m } else { 0.0 };
             self.two_wheelers_out.note(middle.off_m + 0.5 * width_m - room_m, || glance.told(sight));
-        } else {
+        } else if !parks {
             self.lane_error.note(middle.error_m, || glance.told(sight));
             self.lane_error_share.note(middle.error_m > ASIDE_M && !warns);
         }
-        for axle in [front_m, rear_m].map(aside) {
+        for along_m in [front_m, rear_m] {
+            let axle = aside(along_m);
+            // Who parks leaves the lane for a bay.
+            if parks && axle.off_m > 0.0 && parking.hold(glance.at + glance.ahead * along_m) {
+                continue;
+            }
             let room_m = if spec.class.two_wheeled() && axle.beside_lane { 0.5 * width_m } else { 0.0 };
             self.off_lane.note(axle.off_m - room_m, || glance.told(sight));
         }

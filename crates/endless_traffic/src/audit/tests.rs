@@ -5,8 +5,8 @@ use endless_road::{
     WalkNetwork, WalkNodeId,
 };
 use endless_world::{
-    Behaviour, BenchSeat, Gait, InstanceId, LanePlace, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalAspect,
-    SignalId, SignalState, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion,
+    Behaviour, BenchSeat, Gait, InstanceId, LanePlace, Motion, ObjectClass, Outfit, Parking, ParkingBay, PersonRef,
+    Pose, SignalAspect, SignalId, SignalState, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion,
 };
 use glam::{DVec3, Vec3};
 
@@ -368,4 +368,43 @@ fn who_sits_for_long_sits_on_a_seat() {
     // Where there is no bench.
     let surface = [AuditCheck::OffSidewalk, AuditCheck::OffSidewalkShare];
     assert_eq!(watched(&sits_at(40.0))[1..3], surface);
+}
+
+#[test]
+fn who_parks_stands_in_a_bay_for_as_long_as_they_like() {
+    let bays = [20.0, 25.9].map(|x| ParkingBay {
+        position: Vec3::new(x, -2.85, 0.0),
+        yaw_rad: 0.0,
+        length_m: 5.7,
+        width_m: 2.1,
+    });
+    let fails = |seconds: f64, place: [f64; 2], parking: Option<Parking>| {
+        let (network, specs) = (street(), specs());
+        let mut audit = TrafficAudit::new(&network, &specs, &[], FPS).with_parking_bays(&bays);
+        for frame in 0..=(seconds * FPS) as u32 {
+            let mut car = vehicle(1, CAR, place, 0.0);
+            car.behaviour.parking = parking;
+            car.behaviour.lane = car.behaviour.lane.filter(|_| parking != Some(Parking::Parked));
+            let time_s = f64::from(frame) / FPS;
+            audit.look(&WorldState {
+                frame,
+                time_s,
+                actors: vec![car],
+                signals: vec![SignalState { aspect: SignalAspect::Green }; 2],
+            });
+        }
+        failed(&audit.report())
+    };
+    let [parked, pulls_in] = [Parking::Parked, Parking::PullingIn].map(Some);
+    assert_eq!(fails(200.0, [20.0, -2.8], parked), []);
+    // Over the line between two bays, beside them, or not yet there for so long.
+    assert_eq!(fails(200.0, [23.0, -2.8], parked), []);
+    assert_eq!(fails(1.0, [16.0, -2.8], parked), [AuditCheck::BesideBay]);
+    assert_eq!(fails(200.0, [20.0, -2.0], pulls_in), [AuditCheck::VehicleStands]);
+    assert_eq!(fails(1.0, [20.0, -2.0], pulls_in), []);
+    assert_eq!(fails(1.0, [60.0, -2.0], pulls_in), [AuditCheck::OffLane]);
+    assert_eq!(
+        fails(1.0, [20.0, -2.0], None),
+        [AuditCheck::OffLane, AuditCheck::LaneError, AuditCheck::LaneErrorShare]
+    );
 }

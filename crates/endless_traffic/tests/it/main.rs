@@ -16,6 +16,7 @@ mod imu;
 mod incidents;
 mod jaywalking;
 mod merge;
+mod parking;
 mod profile;
 mod slope;
 mod towns;

@@ -32,11 +32,13 @@ fn flows(catalogue: &Catalogue, town: &Town, seed: u64) {
         fps: FPS,
         bus_stops,
         bench_seats: town.bench_seats(),
+        parking_bays: town.parking_bays.clone(),
         deliveries: USUAL_DELIVERIES,
         ..TrafficSettings::default()
     };
     let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough");
-    let audit = TrafficAudit::new(&town.network, &specs, s.parked(), FPS).with_bench_seats(&settings.bench_seats);
+    let audit = TrafficAudit::new(&town.network, &specs, s.parked(), FPS);
+    let audit = audit.with_bench_seats(&settings.bench_seats).with_parking_bays(&settings.parking_bays);
     let f = crate::watch::watch_by(audit, &mut s, SIMULATED_S, FPS);
     let p = s.population();
     let driven = f.driven_m / f64::from(p.vehicles_spawned) / SIMULATED_S;
