@@ -96,6 +96,7 @@ mod population;
 mod pulling_out;
 mod queue_tail;
 mod queues;
+mod rerouting;
 mod roads;
 mod settings;
 mod signals;

@@ -21,6 +21,7 @@ use crate::parking::KerbParking;
 use crate::parking_place::ParkingPlace;
 use crate::playback::{Playback, PlayedTracks, Presence};
 use crate::population::Population;
+use crate::rerouting;
 use crate::roads::{Roads, TrafficMap};
 use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
 use crate::sitting::{self, BenchPlaces};
@@ -305,6 +306,9 @@ impl Simulation {
             if thinks {
                 self.deliveries.look_out(&self.roads, &self.occupancy, &self.bus_halts, &mut self.vehicles, i);
                 self.parking.look_out(&self.roads, &mut self.vehicles, i, self.time_s);
+            }
+            if thinks {
+                rerouting::step(&self.roads, &mut self.vehicles[i]);
             }
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
