@@ -4,7 +4,7 @@
 
 use crate::incident::impact;
 use crate::roads::Roads;
-use crate::vehicle::{LaneTail, Vehicle};
+use crate::vehicle::{LaneChange, LaneTail, Vehicle};
 use endless_road::LaneId;
 use endless_road::swept::{DRAWBAR, towed_heading};
 use endless_world::Pose;
@@ -24,8 +24,7 @@ fn lateral(vehicle: &Vehicle, travelled: f64) -> (f64, f64, bool) {
         return (vehicle.driver.lateral_m + aside_m + kerb_m + past_m, slope + kerb_slope + past_slope, false);
     };
     let u = ((vehicle.s - shift.begin_s) / shift.length_m).clamp(0.0, 1.0);
-    // Quintic: position, slope and curvature continuous.
-    let rise = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+    let rise = LaneChange::rise(u);
     let slope = 30.0 * u * u * (1.0 - u) * (1.0 - u) / shift.length_m;
     (vehicle.driver.lateral_m + shift.offset_m * (1.0 - rise), -shift.offset_m * slope, u >= 1.0)
 }

@@ -6,12 +6,15 @@ use crate::emergency;
 use crate::kinematics;
 use crate::lane_choice;
 use crate::occupancy::{Leader, Occupancy};
+use crate::queue_exit;
 use crate::roads::{Roads, fastest_before};
 use crate::steering::speed_ahead;
 use crate::vehicle::{LaneChange, LaneCover, Vehicle};
-use endless_road::LaneId;
 use endless_road::swept::curvature_per_m;
+use endless_road::{LaneId, Polyline};
 use endless_world::ObjectClass;
+use endless_world::math::f64::sin_cos;
+use glam::DVec2;
 
 /// Gap to somebody behind who plays a recorded track, metres.
 const PLAYED_GAP_M: f64 = 15.0;
@@ -19,6 +22,8 @@ const PLAYED_GAP_M: f64 = 15.0;
 pub(crate) const SAFE_BRAKING: f64 = 2.0;
 /// Gain that makes a change worthwhile, m/s².
 const THRESHOLD: f64 = 0.25;
+/// What it is worth to get out of a queue, m/s².
+const PULLS_OUT_GAIN: f64 = 1.0;
 /// Drivers indicate for this long before they move over, seconds.
 const INDICATE_S: f64 = 1.3;
 /// In tighter bends nobody changes lanes, metres; and how far apart the places are at which a lane is looked at for them.
@@ -26,15 +31,21 @@ pub(crate) const STRAIGHT_RADIUS_M: f64 = 60.0;
 const LOOKS_M: f64 = 2.0;
 /// Nor does anybody where a body bows out further than this, metres: in bends long vehicles fill their lanes.
 const BOWS_OUT_M: f64 = 0.15;
+/// Slower nobody changes lanes but who pulls out of a queue, m/s.
+const SLOWEST_MPS: f64 = 3.0;
 /// Changes take so long, seconds, and at least this far: of short vehicles and of those that swing out, metres.
 const CHANGE_S: f64 = 3.5;
 const SHORTEST_M: [f64; 2] = [16.0, 24.0];
 /// Those ahead are looked at so far, metres.
 const SEEN_M: f64 = 120.0;
+/// Those who come onto a lane are looked at so far, metres.
+const SEEN_BEHIND_M: f64 = 150.0;
 /// Those ahead stop no harder when they come to a queue, m/s².
 const QUEUES_UP_MPS2: f64 = 2.0;
 /// Who drives with this share of the speed that they like has nobody near ahead.
 const AT_EASE: f64 = 0.9;
+/// Riders who pass a queue are looked at so far, metres.
+const RIDERS_M: f64 = 25.0;
 /// Clear of the lane's beginning and of the line at its end, metres.
 const FROM_START_M: f64 = 6.0;
 const TO_LINE_M: f64 = 6.0;
@@ -50,7 +61,7 @@ pub(crate) fn step(
 ) {
     // Who halts at the kerb, passes a queue, or does what an incident asks of them keeps to its lane.
     if vehicles[i].kerb_halt.is_some() || vehicles[i].filtering.is_some() || vehicles[i].order.is_some() {
-        vehicles[i].intent = None;
+        (vehicles[i].intent, vehicles[i].pulls_out) = (None, false);
         return;
     }
     if let Some((target, left)) = vehicles[i].intent {
@@ -62,6 +73,9 @@ pub(crate) fn step(
             begin(roads, occupancy, vehicles, i, target);
         }
         return;
+    }
+    if thinks {
+        queue_exit::notice(roads, occupancy, vehicles, i);
     }
     if !thinks || vehicles[i].class == ObjectClass::Bicycle {
         return;
@@ -80,7 +94,15 @@ pub(crate) fn step(
     }
 }
 
+/// Whether a change is one out of a queue, at walking pace.
+fn pulls_out(vehicle: &Vehicle) -> bool {
+    vehicle.pulls_out && vehicle.speed < SLOWEST_MPS
+}
+
 fn change_length(vehicle: &Vehicle) -> f64 {
+    if pulls_out(vehicle) {
+        return queue_exit::PULLS_OUT_M;
+    }
     (CHANGE_S * vehicle.speed).max(SHORTEST_M[usize::from(vehicle.long())])
 }
 
@@ -121,7 +143,7 @@ fn gain(
     let room = change_length(me) + TO_LINE_M + me.half_length;
     if me.shift.is_some()
         || me.tail.is_some()
-        || me.speed < 3.0
+        || me.speed < SLOWEST_MPS && !me.pulls_out
         || table.junction.is_some()
         || !roads.allowed(me.asset.model)[target.index()]
     {
@@ -155,6 +177,10 @@ fn gain(
     if occupancy.people_on(target).iter().any(|p| p.s > s - me.half_length && p.s < s + room + braking_m) {
         return None;
     }
+    let out_of_queue = pulls_out(me);
+    if out_of_queue && !queue_exit::leads_on(roads, me, target) {
+        return None;
+    }
     let for_call = emergency::incentive(&occupancy.coming, me, target, s)?;
     let (mut ahead, mut behind) = ((f64::INFINITY, 0.0), (f64::INFINITY, None));
     for o in occupancy.on(target).iter().filter(|o| o.vehicle != i) {
@@ -170,15 +196,7 @@ fn gain(
             }
         }
     }
-    // Nor is who comes onto that lane overlooked.
-    for &before in &roads.network.lane(target).predecessors {
-        for o in occupancy.on(before).iter().filter(|o| o.vehicle != i) {
-            let gap = s - me.half_length - (o.front - roads.table(before).length);
-            if gap < behind.0 {
-                behind = (gap, Some(o.vehicle));
-            }
-        }
-    }
+    behind = who_comes(roads, occupancy, i, (target, s - me.half_length), behind);
     if ahead.0 < 3.0 || behind.0 < 3.0 {
         return None;
     }
@@ -190,7 +208,12 @@ fn gain(
     let ends = |gap: f64, speed: f64| gap + speed * speed / (2.0 * QUEUES_UP_MPS2) > change_length(me);
     // Who is as fast as it likes comes to no queue.
     let at_ease = |l: &Leader| vehicles.get(l.vehicle).is_some_and(|v| v.speed > AT_EASE * speed_ahead(roads, v));
-    if !ends(ahead.0, ahead.1) || leader.is_some_and(|l| !ends(l.gap, l.speed) && !at_ease(&l)) {
+    let has_room = if out_of_queue {
+        pulls_out_clear(roads, occupancy, vehicles, i, (target, s), ahead, leader)
+    } else {
+        ends(ahead.0, ahead.1) && leader.is_none_or(|l| ends(l.gap, l.speed) || at_ease(&l))
+    };
+    if !has_room {
         return None;
     }
     let now = leader.map_or(free, |l| react(l.gap, l.speed)).min(free);
@@ -209,22 +232,99 @@ fn gain(
         }
         None => 0.0,
     };
+    if out_of_queue {
+        return Some(PULLS_OUT_GAIN);
+    }
     Some(then - now - me.driver.politeness * harm + lane_choice::incentive(roads, me, target) + for_call)
+}
+
+/// Who is the nearest behind a place on a lane of those who come onto it, if nearer than the one known: the gap, metres, and who.
+fn who_comes(
+    roads: &Roads,
+    occupancy: &Occupancy,
+    i: usize,
+    (lane, rear): (LaneId, f64),
+    known: (f64, Option<usize>),
+) -> (f64, Option<usize>) {
+    let mut nearest = known;
+    let mut ways: Vec<(LaneId, f64)> = vec![(lane, 0.0)];
+    while let Some((lane, on_m)) = ways.pop() {
+        for &before in &roads.network.lane(lane).predecessors {
+            let on_m = on_m + roads.table(before).length;
+            for o in occupancy.on(before).iter().filter(|o| o.vehicle != i) {
+                let gap = rear + on_m - o.front;
+                if gap < nearest.0 {
+                    nearest = (gap, Some(o.vehicle));
+                }
+            }
+            if rear + on_m < SEEN_BEHIND_M {
+                ways.push((before, on_m));
+            }
+        }
+    }
+    nearest
+}
+
+/// Whether somebody who pulls out to a place on the lane beside gets past those ahead on its own, and has room there, where the next
+/// one is so far ahead and so fast, metres and m/s. No rider shall come up beside it.
+fn pulls_out_clear(
+    roads: &Roads,
+    occupancy: &Occupancy,
+    vehicles: &[Vehicle],
+    i: usize,
+    (target, s): (LaneId, f64),
+    (ahead_m, ahead_mps): (f64, f64),
+    leader: Option<Leader>,
+) -> bool {
+    let me = &vehicles[i];
+    let offset_m = roads.network.lane(target).centerline.project(me.pivot.truncate()).1 - me.driver.lateral_m;
+    let Some(clear_m) = queue_exit::clear_m(me, offset_m, queue_exit::PULLS_OUT_M) else { return false };
+    // Who changes lanes as well may come to stand on both.
+    let shifts = |l: &Leader| vehicles.get(l.vehicle).is_none_or(|v| v.shift.is_some());
+    let gets_past = |l: Leader| l.gap >= clear_m.max(if shifts(&l) { queue_exit::ROOM_THERE_M } else { 0.0 });
+    let rides_up = |(lane, s): (LaneId, f64)| {
+        occupancy.on(lane).iter().any(|o| o.filters && o.front > s - RIDERS_M && o.rear < s + RIDERS_M)
+    };
+    ahead_m + ahead_mps * ahead_mps / (2.0 * QUEUES_UP_MPS2) >= queue_exit::ROOM_THERE_M
+        && leader.is_none_or(gets_past)
+        && ![(me.lane(), me.s), (target, s)].into_iter().any(rides_up)
+}
+
+/// The place on a line from which a point lies straight across, and how far to the left: metres. In bends it is not quite the nearest.
+fn place_across(line: &Polyline, point: DVec2) -> (f64, f64) {
+    const ROUNDS: usize = 4;
+    let (mut s, mut left_m) = line.project(point);
+    for _ in 0..ROUNDS {
+        let on = line.at(s);
+        let (sin, cos) = sin_cos(on.heading_rad);
+        let away = point - on.position.truncate();
+        s += away.dot(DVec2::new(cos, sin));
+        left_m = away.dot(DVec2::new(-sin, cos));
+    }
+    (s, left_m)
 }
 
 fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: usize, target: LaneId) {
     let me = &mut vehicles[i];
     let from = me.lane();
+    let out_of_queue = pulls_out(me);
+    let begins_m = me.s;
     // The point that follows the lane must not jump: in a bend the lanes are not equally long.
-    let (at_pivot, t) = roads.network.lane(target).centerline.project(me.pivot.truncate());
+    let (at_pivot, t) = place_across(&roads.network.lane(target).centerline, me.pivot.truncate());
     let s = at_pivot - kinematics::pivot_ahead_m(me);
+    let length_m = change_length(me);
+    let clear_m = queue_exit::clear_m(me, t - me.driver.lateral_m, length_m);
     me.shift = Some(LaneChange {
         from,
         from_minus_here: me.s - s,
         offset_m: t - me.driver.lateral_m,
         begin_s: s,
-        length_m: change_length(me),
+        length_m,
+        clear_from_m: clear_m.map_or(f64::INFINITY, |clear_m| begins_m + me.half_length + clear_m),
     });
+    if out_of_queue {
+        (me.pulls_out, me.queued_s, me.aim) = (false, 0.0, None);
+    }
     me.intent = None;
     me.s = s;
     me.here = 0;
@@ -244,8 +344,7 @@ mod tests {
     use crate::focus::Focus;
     use crate::roads::TrafficMap;
     use crate::settings::DrivingCondition;
-    use endless_road::{Lane, Polyline, RoadNetwork};
-    use endless_world::math::f64::sin_cos;
+    use endless_road::{Lane, RoadNetwork};
     use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
     use glam::DVec3;
 
@@ -302,5 +401,69 @@ mod tests {
         assert!(gain_at(60.0, 1.0).is_some_and(|gain| gain > THRESHOLD));
         assert!(gain_at(60.0, 0.7).is_none(), "who goes slower than it likes may come to a queue");
         assert!(gain_at(290.0, 1.0).is_none(), "the bend");
+    }
+
+    /// A car that has stood long on the right, so far behind another who stands, metres, and who comes on the left, if anybody: its
+    /// place, metres, and speed, m/s.
+    fn queue(roads: &Roads, spec: &VehicleSpec, gap_m: f64, comes: Option<(f64, f64)>) -> Vec<Vehicle> {
+        let mut stream = Stream::named(1, "test.lane_change", &[]);
+        let asset = VehicleRef { model: VehicleModelId::from_index(0), variant: 0 };
+        let length_m = f64::from(spec.length_m);
+        let places = [(0, 100.0, 0.0), (0, 100.0 + length_m + gap_m, 0.0)];
+        let comes = comes.map(|(s, speed)| (1, s, speed));
+        let mut vehicles: Vec<Vehicle> = places
+            .into_iter()
+            .chain(comes)
+            .map(|(lane, s, speed)| {
+                let driver = Driver::new(spec, &DrivingCondition::default(), 0.5, &mut stream);
+                let mut vehicle = Vehicle::new(spec, asset, driver, LaneId(lane), s, stream.fork(s as u64));
+                (vehicle.speed, vehicle.driver.cruise_mps) = (speed, 22.0);
+                vehicle.plan(roads);
+                kinematics::settle(&mut vehicle, roads);
+                vehicle
+            })
+            .collect();
+        vehicles[0].pulls_out = true;
+        vehicles
+    }
+
+    #[test]
+    fn who_has_room_ahead_pulls_out_of_a_queue_if_nobody_comes() {
+        let spec = VehicleSpec::default();
+        let roads = road(std::slice::from_ref(&spec));
+        let gain_with = |gap_m: f64, comes: Option<(f64, f64)>| {
+            let vehicles = queue(&roads, &spec, gap_m, comes);
+            let mut occupancy = Occupancy::default();
+            occupancy.rebuild(&roads, &vehicles);
+            gain(&roads, &occupancy, &vehicles, 0, LaneId(1), 0.0)
+        };
+        assert!(gain_with(9.0, None).is_some());
+        assert!(gain_with(3.0, None).is_none(), "it would touch the one ahead");
+        assert!(gain_with(9.0, Some((50.0, 22.0))).is_none(), "somebody would have to brake hard");
+        assert!(gain_with(9.0, Some((112.0, 0.0))).is_none(), "there is no room on the lane beside");
+    }
+
+    #[test]
+    fn who_pulls_out_gets_past_those_ahead_without_a_touch() {
+        let spec = VehicleSpec::default();
+        let roads = road(std::slice::from_ref(&spec));
+        let mut vehicles = queue(&roads, &spec, 9.0, None);
+        let mut occupancy = Occupancy::default();
+        occupancy.rebuild(&roads, &vehicles);
+        begin(&roads, &mut occupancy, &mut vehicles, 0, LaneId(1));
+        let specs = std::slice::from_ref(&spec);
+        let standing = vehicles[1].footprint(specs, 0.0);
+        let mut least_m = f64::INFINITY;
+        for _ in 0..600 {
+            occupancy.rebuild(&roads, &vehicles);
+            let ahead = occupancy.leader(&roads, &vehicles, 0, 60.0);
+            let wanted = vehicles[0].driver.free(vehicles[0].speed, speed_ahead(&roads, &vehicles[0]));
+            let follow = |l: Leader| vehicles[0].driver.follow(vehicles[0].speed, l.gap, l.speed);
+            vehicles[0].acceleration = ahead.map_or(wanted, |l| wanted.min(follow(l)));
+            kinematics::advance(&mut vehicles[0], &roads, 1.0 / 30.0);
+            assert!(!vehicles[0].footprint(specs, 0.1).overlaps(&standing), "at {:.1} m", vehicles[0].s);
+            least_m = least_m.min((vehicles[1].s - vehicles[0].s).abs());
+        }
+        assert!(vehicles[0].shift.is_none() && vehicles[0].s > vehicles[1].s + 10.0 && least_m < 0.3);
     }
 }

@@ -94,6 +94,7 @@ mod people_grid;
 mod playback;
 mod population;
 mod pulling_out;
+mod queue_exit;
 mod queue_tail;
 mod queues;
 mod rerouting;

@@ -238,7 +238,7 @@ impl Occupancy {
         }
         if let Some(shift) = me.shift {
             let s = me.s + shift.from_minus_here;
-            for o in self.on(shift.from) {
+            for o in self.on(shift.from).iter().filter(|o| o.rear < shift.clear_from_m) {
                 consider(o, -s, Some(s), &Across::WHOLE, false);
             }
         }

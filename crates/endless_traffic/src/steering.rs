@@ -5,6 +5,7 @@ use crate::driver::HARDEST_BRAKING;
 use crate::filtering;
 use crate::junction_controller::JunctionController;
 use crate::occupancy::{Leader, Leaders, Occupancy};
+use crate::queue_exit;
 use crate::roads::{Roads, fastest_before};
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
@@ -16,6 +17,8 @@ pub(crate) const SIGHT_M: f64 = 180.0;
 const CLOSE_M: f64 = 50.0;
 /// Who waits for somebody nearer than this beyond the line waits at the line, metres.
 const AT_LINE_M: f64 = 0.5;
+/// Who keeps room to pull out of a queue brakes no harder for it, m/s².
+const KEEPS_MPS2: f64 = 0.8;
 /// Who lets somebody go first who is beside them, with room between, brakes no harder, m/s².
 const LETS_GO_MPS2: f64 = 1.5;
 /// How fast acceleration may rise and fall, m/s³.
@@ -47,6 +50,10 @@ impl DriverView<'_> {
             |beside: &Leader| self.vehicles.get(beside.vehicle).is_none_or(|other| filtering::lets_go_first(me, other));
         for ahead in leaders.ahead.into_iter().chain(leaders.stands_first) {
             wanted = wanted.min(driver.follow(me.speed, ahead.gap, ahead.speed));
+            if me.pulls_out && me.shift.is_none() {
+                let keeps = driver.follow(me.speed, ahead.gap - queue_exit::KEEPS_M, ahead.speed);
+                wanted = wanted.min(keeps.max(-KEEPS_MPS2));
+            }
         }
         if let Some(beside) = leaders.beside.filter(lets_go_first) {
             wanted = wanted.min(driver.follow(me.speed, beside.gap, beside.speed).max(-LETS_GO_MPS2));
@@ -197,6 +204,9 @@ fn stop_before(me: &Vehicle, at_line: f64, setback: f64) -> f64 {
 /// The speed that limits and bends allow, now and in time to brake, m/s.
 pub(crate) fn speed_ahead(roads: &Roads, me: &Vehicle) -> f64 {
     let mut speed = me.driver.cruise_mps.min(me.driver.sight_mps);
+    if me.shift.is_some_and(|shift| shift.length_m <= queue_exit::PULLS_OUT_M) {
+        speed = speed.min(queue_exit::PULLS_OUT_MPS);
+    }
     for (k, (lane, base)) in me.ahead(roads).enumerate() {
         if base > SIGHT_M {
             break;

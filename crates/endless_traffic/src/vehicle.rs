@@ -25,7 +25,7 @@ pub(crate) struct RightOfWay {
     pub(crate) lanes: Vec<LaneId>,
     pub(crate) exit: LaneId,
     pub(crate) entered: bool,
-    /// How long its holder has stood since, before it entered, seconds.
+    /// How long its holder has stood since, seconds.
     pub(crate) stood_s: f64,
 }
 
@@ -41,6 +41,15 @@ pub(crate) struct LaneChange {
     pub(crate) begin_s: f64,
     /// Metres along the road.
     pub(crate) length_m: f64,
+    /// Those on the lane being left whose rear is beyond this are no hindrance, metres along that lane.
+    pub(crate) clear_from_m: f64,
+}
+
+impl LaneChange {
+    /// How much of the way across is done after this share of its length: position, slope and curvature are continuous.
+    pub(crate) fn rise(u: f64) -> f64 {
+        u * u * u * (10.0 - 15.0 * u + 6.0 * u * u)
+    }
 }
 
 /// A lane that a long vehicle has left, while what comes last of it is still there.
@@ -108,8 +117,13 @@ pub(crate) struct Vehicle {
     /// Where it is to go at the next junction.
     pub(crate) aim: Option<Aim>,
     pub(crate) rights_of_way: Vec<RightOfWay>,
+    /// Seconds in a queue, and whether it would pull out of it into a lane beside.
+    pub(crate) queued_s: f64,
+    pub(crate) pulls_out: bool,
     /// Seconds standing before a junction.
     pub(crate) waited_s: f64,
+    /// The same, whether it had the right of way for a moment or not, as long as it did not get off.
+    pub(crate) stuck_s: f64,
     /// What an incident makes it do.
     pub(crate) order: Option<Order>,
     /// A halt at the kerb to come or under way.
@@ -170,7 +184,10 @@ impl Vehicle {
             intent: None,
             aim: None,
             rights_of_way: Vec::new(),
+            queued_s: 0.0,
+            pulls_out: false,
             waited_s: 0.0,
+            stuck_s: 0.0,
             order: None,
             kerb_halt: None,
             rides_past_queues: false,

@@ -197,7 +197,14 @@ fn a_lane_that_a_long_vehicle_has_left_is_taken_until_its_rear_has_come_over() {
     let left_for = |model: usize| {
         let mut mover = vehicle(&roads, model, 0, 60.0, 5.0);
         let (from, offset_m) = (LaneId(1), -3.3);
-        mover.shift = Some(LaneChange { from, from_minus_here: 0.0, offset_m, begin_s: 60.0, length_m: 24.0 });
+        mover.shift = Some(LaneChange {
+            from,
+            from_minus_here: 0.0,
+            offset_m,
+            begin_s: 60.0,
+            length_m: 24.0,
+            clear_from_m: f64::INFINITY,
+        });
         let mut covers = Vec::new();
         let mut gone_at_m = 60.0;
         for _ in 0..300 {
