@@ -1,5 +1,6 @@
 //! The request of a vehicle to enter a junction, and which of two requests goes first.
 
+use crate::crossing::comfortable_stop_m;
 use crate::emergency::gives_up_turn;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
@@ -10,6 +11,8 @@ use endless_world::{SignalAspect, SignalState};
 const PATIENCE_S: f64 = 2.5;
 /// Seconds of waiting after which those in slow traffic let somebody in.
 const COURTESY_S: f64 = 25.0;
+/// Seconds after which others let somebody in, too, if they can still stop at ease.
+const LONG_S: f64 = 60.0;
 /// They stand for it this share of the time that the other has waited.
 const COURTEOUS_SHARE: f64 = 0.25;
 /// Slower than this somebody stands, m/s.
@@ -46,6 +49,11 @@ impl EntryRequest {
     /// Whether it can still stop before the line.
     fn can_stop(&self) -> bool {
         self.speed < STANDS_MPS || self.distance > stopping_m(self.speed)
+    }
+
+    /// Whether it stops before the line without braking hard.
+    fn stops_at_ease(&self) -> bool {
+        self.distance > comfortable_stop_m(self.speed)
     }
 
     /// Whether it comes to the line or stands there, not in a queue before it.
@@ -150,7 +158,7 @@ pub(super) fn yields_to(roads: &Roads, vehicles: &[Vehicle], me: &EntryRequest, 
     other.waited_s > COURTESY_S
         && other.waited_s > me.waited_s
         && !other.held
-        && me.speed < SLOW_MPS
+        && (me.speed < SLOW_MPS || other.waited_s > LONG_S && me.stops_at_ease())
         && me.waited_s < COURTEOUS_SHARE * other.waited_s
         && (me.exit == other.exit || meet())
 }

@@ -39,6 +39,12 @@ const DETOUR_S: f64 = 15.0;
 /// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
 const HELD_UP_S: f64 = 4.0;
 
+/// Slower than this nobody has got off yet, m/s.
+const CREEPS_MPS: f64 = 1.0;
+/// Who has it and has stood this long behind somebody who got it later lets others go first, seconds; those may be so near, metres.
+const SHUT_IN_S: f64 = 20.0;
+const AT_LINE_M: f64 = 0.8;
+
 /// Gives and takes back the right of way through junctions.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct JunctionController {
@@ -78,6 +84,7 @@ impl JunctionController {
                 holders[k + 1..].iter().for_each(|&other| ahead_goes_first(roads, vehicles, junction, [one, other]));
             }
         }
+        self.shut_in_go_last(roads, occupancy, vehicles);
         let mut requests = std::mem::take(&mut self.requests);
         requests.clear();
         for (i, vehicle) in vehicles.iter_mut().enumerate() {
@@ -89,6 +96,8 @@ impl JunctionController {
                 }
                 None => vehicle.waited_s = 0.0,
             }
+            let is_there = vehicle.waited_s > 0.0 || vehicle.stuck_s > 0.0;
+            vehicle.stuck_s = if is_there && vehicle.speed < CREEPS_MPS { vehicle.stuck_s + step_s } else { 0.0 };
         }
         // Who has waited longest is asked first, or others might take the room beyond for ever.
         requests.sort_by(|a, b| b.waited_s.total_cmp(&a.waited_s));
@@ -138,6 +147,20 @@ impl JunctionController {
             }
         }
         self.requests = requests;
+    }
+
+    /// Who is shut in behind others lets all go first who have the right of way too.
+    fn shut_in_go_last(&mut self, roads: &Roads, occupancy: &Occupancy, vehicles: &mut [Vehicle]) {
+        for junction in (0..self.holders.len()).map(|place| JunctionId(place as u16)) {
+            for place in 0..self.holders(junction).len() {
+                let i = self.holders(junction)[place];
+                if self.is_shut_in(roads, occupancy, vehicles, junction, i) {
+                    self.order += 1;
+                    let held = vehicles[i].rights_of_way.iter_mut().find(|g| g.junction == junction);
+                    held.into_iter().for_each(|g| (g.order, g.stood_s) = (self.order, 0.0));
+                }
+            }
+        }
     }
 
     /// Room to stand beyond the junction, clear of it and of its crossings. Where the road to the next junction is too
@@ -210,6 +233,36 @@ impl JunctionController {
         true
     }
 
+    /// Whether somebody stands behind one who got the right of way later, and is in nobody's way yet: who waits for the one behind
+    /// would wait for ever if the one ahead waits for them.
+    fn is_shut_in(
+        &self,
+        roads: &Roads,
+        occupancy: &Occupancy,
+        vehicles: &[Vehicle],
+        junction: JunctionId,
+        i: usize,
+    ) -> bool {
+        let me = &vehicles[i];
+        let Some(mine) = me.right_of_way_at(junction).filter(|g| g.stood_s > SHUT_IN_S) else { return false };
+        let later = |other: usize| vehicles[other].right_of_way_at(junction).filter(|g| g.order > mine.order);
+        let leader = occupancy.leader(roads, vehicles, i, me.half_length + ANOTHER_M);
+        let Some(ahead) = leader.map(|l| l.vehicle).filter(|&l| l < vehicles.len() && later(l).is_some()) else {
+            return false;
+        };
+        let stands_in_way = |other: usize, lanes: &[LaneId]| {
+            mine.lanes.iter().any(|&lane| {
+                let Some(to_lane) = me.distance_to(roads, lane) else { return false };
+                let conflicts = roads.table(lane).conflicts(me.long() || vehicles[other].long()).iter();
+                let mut shared = conflicts.filter(|c| lanes.contains(&c.other));
+                shared
+                    .any(|c| to_lane + c.range.0 < me.half_length + AT_LINE_M && to_lane + c.range.1 > -me.half_length)
+            })
+        };
+        let others = self.holders(junction).iter().filter(|&&other| other != i && other != ahead);
+        !others.copied().any(|other| later(other).is_some_and(|g| stands_in_way(other, &g.lanes)))
+    }
+
     /// Those who have the right of way already and priority will be out of the way in time.
     fn clear_of_holders(&self, roads: &Roads, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
         let me = &vehicles[request.vehicle];
@@ -272,9 +325,10 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
 /// there is room for few, and lights let others go first whenever there is any, they would never get on. Nobody keeps it for those
 /// behind or beside them, who wait until they have gone.
 fn kept_free_m(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> f64 {
-    let starves = |r: &&EntryRequest| r.waited_s > STARVES_S.max(request.waited_s) && r.at_the_line();
+    let stuck_s = |r: &EntryRequest| vehicles[r.vehicle].stuck_s.max(r.waited_s);
+    let starves = |r: &&EntryRequest| stuck_s(r) > STARVES_S.max(stuck_s(request)) && r.at_the_line();
     let there = requests.iter().filter(|r| r.exit == request.exit && r.before != request.before);
-    let longest = there.filter(starves).max_by(|a, b| a.waited_s.total_cmp(&b.waited_s));
+    let longest = there.filter(starves).max_by(|a, b| stuck_s(a).total_cmp(&stuck_s(b)));
     longest.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
 }
 
@@ -327,6 +381,7 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
         let mut rights_of_way = std::mem::take(&mut vehicles[i].rights_of_way);
         let vehicle = &vehicles[i];
         rights_of_way.retain_mut(|right_of_way| {
+            right_of_way.stood_s = if vehicle.speed < 0.05 { right_of_way.stood_s + step_s } else { 0.0 };
             if occupancy.covers_any(i, &right_of_way.lanes) {
                 right_of_way.entered = true;
                 return true;
@@ -336,7 +391,6 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
             }
             let Some(to_line) = vehicle.distance_to(roads, right_of_way.lanes[0]) else { return false };
             let distance = to_line - vehicle.half_length;
-            right_of_way.stood_s = if vehicle.speed < 0.05 { right_of_way.stood_s + step_s } else { 0.0 };
             if right_of_way.stood_s > HELD_UP_S {
                 return false;
             }
