@@ -33,5 +33,5 @@ fn cameras_see_as_well_as_themselves_and_not_as_well_from_elsewhere() {
         }
     }
     assert!(good * 20 >= cameras * 17, "{good} of {cameras} cameras see what they see");
-    assert!(pairs > 20, "{pairs} pairs of cameras see the same place");
+    assert!(pairs >= 15, "{pairs} pairs of cameras see the same place");
 }
