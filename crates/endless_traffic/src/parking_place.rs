@@ -28,8 +28,9 @@ const FASTEST_MPS: f64 = 17.0;
 const FROM_STOPS_M: f64 = 55.0;
 /// Who stands this near may be in the way of who pulls in or out, metres.
 pub(crate) const NEAR_M: f64 = 32.0;
-/// From a body in a bay to the bay's inner edge, metres.
+/// From a body in a bay to the bay's inner edge, metres; and to the edge of the lane, along which riders pass queues.
 const INNER_M: f64 = 0.05;
+const OFF_LANE_M: f64 = 0.02;
 /// A car that fits in most places, metres.
 const USUAL_M: f32 = 4.4;
 
@@ -41,6 +42,8 @@ pub(crate) struct ParkingPlace {
     pub(crate) s: f64,
     /// From the middle of the lane, positive to the left, metres.
     pub(crate) left_m: f64,
+    /// From the middle of the lane to its edge, metres.
+    pub(crate) edge_m: f64,
     pub(crate) side: Side,
     pub(crate) at: DVec2,
     pub(crate) room: DVec2,
@@ -73,6 +76,7 @@ impl ParkingPlace {
                 lane: lane.id,
                 s,
                 left_m,
+                edge_m: 0.5 * lane.width_m,
                 side: if left_m > 0.0 { Side::Left } else { Side::Right },
                 at: body.center,
                 room: 2.0 * body.half,
@@ -88,10 +92,11 @@ impl ParkingPlace {
     }
 
     /// Where the middle of a vehicle of a width stands, from the middle of the lane, positive to the left, metres: rather clear of
-    /// the kerb, over which a corner swings on the way in, than of the lane.
+    /// the kerb, over which a corner swings on the way in, than of the bay's other edge, but on no lane.
     pub(crate) fn stands_left_m(&self, width_m: f64) -> f64 {
         let spare_m = (0.5 * (self.room.y - width_m) - INNER_M).max(0.0);
-        self.left_m - self.left_m.signum() * spare_m
+        let aside_m = (self.left_m.abs() - spare_m).max(self.edge_m + OFF_LANE_M + 0.5 * width_m);
+        self.left_m.signum() * aside_m
     }
 
     /// What somebody may sweep who pulls in or out.
