@@ -117,7 +117,7 @@ impl Passage {
         let room = if straddles {
             is_free_beside(view, vehicles, i, way, side, reach_m, &goal)
         } else {
-            is_free_of_parked(view, me, way, place_m, reach_m)
+            is_free_of_parked(view, vehicles, i, way, place_m, reach_m)
         };
         let drift = Drift { begin_m: me.rolled, length_m, left_m, back_m: None };
         room.then_some(Self { side, straddles, drift, passed })
@@ -173,10 +173,21 @@ fn is_free_beside(
 }
 
 /// Whether no parked vehicle reaches into the way at the edge of the road, up to so far ahead.
-fn is_free_of_parked(view: &RiderView<'_>, me: &Vehicle, way: &[(LaneId, f64)], place_m: f64, reach_m: f64) -> bool {
+fn is_free_of_parked(
+    view: &RiderView<'_>,
+    vehicles: &[Vehicle],
+    i: usize,
+    way: &[(LaneId, f64)],
+    place_m: f64,
+    reach_m: f64,
+) -> bool {
+    let me = &vehicles[i];
     let here = me.pose.position.as_dvec3().truncate();
-    let near = |body: &&OrientedRectangle| body.center.distance(here) < reach_m + PARKED_REACH_M;
-    let parked: Vec<&OrientedRectangle> = view.parked.iter().filter(near).collect();
+    let near = |body: &OrientedRectangle| body.center.distance(here) < reach_m + PARKED_REACH_M;
+    // Those of the town, and those who have parked since.
+    let since = vehicles.iter().filter(|other| other.is_parked());
+    let since = since.map(|other| other.footprint(&view.roads.specs, 0.5 * EDGE_M));
+    let parked: Vec<OrientedRectangle> = view.parked.iter().copied().chain(since).filter(near).collect();
     if parked.is_empty() {
         return true;
     }
