@@ -1,12 +1,10 @@
 //! A halt at the kerb: a vehicle indicates, pulls in as far as its lane allows, stands for a while, indicates to the road and
 //! drives on. It keeps to its lane meanwhile; those behind it wait, or change lanes. Who parks leaves the lane for a bay beside it.
 
+use crate::bay_way::BayWay;
 use crate::driver::Driver;
 use crate::incident::Drift;
-use crate::parking_manoeuvre::BayWay;
-use crate::parking_place::ParkingPlace;
 use crate::roads::fastest_before;
-use crate::vehicle::Vehicle;
 use endless_road::LaneId;
 use endless_world::{Parking, Side};
 
@@ -94,13 +92,9 @@ impl KerbHalt {
         }
     }
 
-    /// In a bay that lies so far ahead, metres.
-    pub(crate) fn in_bay((place, way): (&ParkingPlace, BayWay), me: &Vehicle, ahead_m: f64, stands_s: f64) -> Self {
-        let front = (place.lane, place.s + me.half_length, ahead_m);
-        Self {
-            bay: Some(way),
-            ..Self::new(me.driver.lateral_m, front, (place.side, place.stands_left_m(2.0 * me.half_width)), stands_s)
-        }
+    /// In a bay.
+    pub(crate) fn in_bay(self, way: BayWay) -> Self {
+        Self { bay: Some(way), ..self }
     }
 
     /// At which people get on and off.

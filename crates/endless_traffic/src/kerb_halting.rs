@@ -1,9 +1,9 @@
 //! How a vehicle gets on with a halt at the kerb.
 
+use crate::bay_way::BayWay;
 use crate::incident::Drift;
 use crate::kerb_halt::{INDICATES_S, KerbHalt, LEAST_DRIFT_M, LEAVES_M, Phase, STRAIGHT_M};
 use crate::occupancy::Occupancy;
-use crate::parking_manoeuvre::BayWay;
 use crate::pulling_out;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;

@@ -1,9 +1,10 @@
 //! Parking at the kerb: drivers pull into free bays beside their lane, stand there for minutes, and pull out again.
 
+use crate::bay_way::BayWay;
 use crate::emergency::is_emergency;
 use crate::kerb_halt::{KerbHalt, Phase};
 use crate::kinematics;
-use crate::parking_manoeuvre::BayWay;
+use crate::parking_manoeuvre::bay_way;
 use crate::parking_place::ParkingPlace;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
@@ -112,8 +113,8 @@ impl KerbParking {
                 if !(least_m..LOOKS_M).contains(&ahead_m) || !self.is_free(vehicles, place, most) {
                     continue;
                 }
-                let Some(way) = BayWay::of(roads, me, place, number) else { continue };
-                let halt = KerbHalt::in_bay((place, way), me, ahead_m, stands_s(me));
+                let Some(way) = bay_way(roads, me, place, number) else { continue };
+                let halt = place.halt(way, me, ahead_m, stands_s(me));
                 return Some((number, halt));
             }
         }
@@ -152,7 +153,7 @@ impl KerbParking {
                 if !allowed || !self.is_free(vehicles, place, usize::MAX) {
                     continue;
                 }
-                let Some(way) = BayWay::of(roads, &vehicles[i], place, number) else { continue };
+                let Some(way) = bay_way(roads, &vehicles[i], place, number) else { continue };
                 stand(roads, &mut vehicles[i], place, way, own.range_f64(FIRST_STAND_S[0], FIRST_STAND_S[1]));
                 break;
             }
@@ -167,7 +168,7 @@ fn stand(roads: &Roads, vehicle: &mut Vehicle, place: &ParkingPlace, way: BayWay
         way.in_m,
         place.stands_left_m(2.0 * vehicle.half_width) - vehicle.driver.lateral_m,
     );
-    let halt = KerbHalt::in_bay((place, way), vehicle, 0.0, stands_s);
+    let halt = place.halt(way, vehicle, 0.0, stands_s);
     let phase = Phase::Standing { left_s: stands_s };
     vehicle.kerb_halt = Some(KerbHalt { phase, drift: Some(drift), stood_s: stands_s, ..halt });
     vehicle.route = VecDeque::from([place.lane]);

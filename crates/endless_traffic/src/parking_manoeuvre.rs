@@ -1,6 +1,6 @@
 //! The way into a bay and out of it, forwards, rehearsed with the vehicle's own motion among what stands there.
 
-use crate::incident::Drift;
+use crate::bay_way::{BayWay, out};
 use crate::kerb_halt::KerbHalt;
 use crate::kinematics;
 use crate::parking_place::ParkingPlace;
@@ -36,52 +36,19 @@ const BEYOND_PLACE_M: f64 = 0.35;
 /// Between a body in a bay and its sides, both together, metres.
 const SIDES_M: f64 = 0.1;
 
-/// How a vehicle gets into a bay and out of it.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct BayWay {
-    /// Of the place, in the list of all.
-    pub(crate) place: usize,
-    /// Metres along which it moves across.
-    pub(crate) in_m: f64,
-    pub(crate) out_m: f64,
-    /// From there straight on to the place, metres.
-    pub(crate) straight_m: f64,
-}
-
-impl BayWay {
-    /// Of a vehicle into and out of the place with this number; `None` if it does not fit, or could not without touching anything.
-    pub(crate) fn of(roads: &Roads, vehicle: &Vehicle, place: &ParkingPlace, number: usize) -> Option<Self> {
-        let spec = &roads.specs[vehicle.asset.model.index()];
-        let [length_m, width_m] = [spec.length_m, spec.width_m].map(f64::from);
-        if length_m > place.room.x || width_m > place.room.y - SIDES_M {
-            return None;
-        }
-        let ways = STRAIGHT_M.into_iter().flat_map(|straight_m| LENGTHS_M.map(|in_m| (in_m, straight_m)));
-        ways.into_iter().find_map(|(in_m, straight_m)| {
-            let stands = pull_in(roads, vehicle, place, Self { place: number, in_m, out_m: in_m, straight_m })?;
-            let out_m = LENGTHS_M.into_iter().find(|out_m| pulls_out(roads, stands.clone(), place, *out_m))?;
-            Some(Self { place: number, in_m, out_m, straight_m })
-        })
+/// The way of a vehicle into and out of the place with this number; `None` if it does not fit, or could not without touching anything.
+pub(crate) fn bay_way(roads: &Roads, vehicle: &Vehicle, place: &ParkingPlace, number: usize) -> Option<BayWay> {
+    let spec = &roads.specs[vehicle.asset.model.index()];
+    let [length_m, width_m] = [spec.length_m, spec.width_m].map(f64::from);
+    if length_m > place.room.x || width_m > place.room.y - SIDES_M {
+        return None;
     }
-
-    /// Before the place by so much the vehicle begins to move across, metres.
-    pub(crate) fn begins_m(&self) -> f64 {
-        self.in_m + self.straight_m
-    }
-
-    /// The way in, for who has rolled so far.
-    pub(crate) fn inwards(rolled_m: f64, length_m: f64, left_m: f64) -> Drift {
-        Drift { begin_m: rolled_m, length_m, left_m, back_m: None }
-    }
-
-    /// The way out.
-    pub(crate) fn outwards(&self, rolled_m: f64, left_m: f64) -> Drift {
-        out(rolled_m, self.out_m, left_m)
-    }
-}
-
-fn out(rolled_m: f64, length_m: f64, left_m: f64) -> Drift {
-    Drift { begin_m: rolled_m - length_m, length_m, left_m, back_m: Some(rolled_m) }
+    let ways = STRAIGHT_M.into_iter().flat_map(|straight_m| LENGTHS_M.map(|in_m| (in_m, straight_m)));
+    ways.into_iter().find_map(|(in_m, straight_m)| {
+        let stands = pull_in(roads, vehicle, place, BayWay { place: number, in_m, out_m: in_m, straight_m })?;
+        let out_m = LENGTHS_M.into_iter().find(|out_m| pulls_out(roads, stands.clone(), place, *out_m))?;
+        Some(BayWay { place: number, in_m, out_m, straight_m })
+    })
 }
 
 /// The vehicle as it stands in the bay.
@@ -104,7 +71,7 @@ fn pull_in(roads: &Roads, vehicle: &Vehicle, place: &ParkingPlace, way: BayWay) 
     }
     probe.rolled = 0.0;
     let left_m = place.stands_left_m(2.0 * probe.half_width) - probe.driver.lateral_m;
-    let halt = KerbHalt::in_bay((place, way), &probe, BEFORE_M + way_m, 0.0);
+    let halt = place.halt(way, &probe, BEFORE_M + way_m, 0.0);
     probe.kerb_halt = Some(KerbHalt { drift: Some(BayWay::inwards(BEFORE_M, way.in_m, left_m)), ..halt });
     kinematics::settle(&mut probe, roads);
     let is_there = |probe: &Vehicle| probe.lane() == place.lane && probe.s > place.s + BEYOND_PLACE_M;

@@ -61,10 +61,10 @@ fn is_free_behind(roads: &Roads, occupancy: &Occupancy, me: &Vehicle) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bay_way::BayWay;
     use crate::driver::Driver;
     use crate::focus::Focus;
     use crate::kerb_halt::{KerbHalt, Phase};
-    use crate::parking_manoeuvre::BayWay;
     use crate::roads::TrafficMap;
     use crate::settings::DrivingCondition;
     use endless_road::{Lane, Polyline, RoadNetwork};

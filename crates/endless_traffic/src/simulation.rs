@@ -18,7 +18,7 @@ use crate::junction_controller::JunctionController;
 use crate::midblock::MidblockWays;
 use crate::occupancy::Occupancy;
 use crate::parking::KerbParking;
-use crate::parking_place::ParkingPlace;
+use crate::parking_places::parking_places;
 use crate::playback::{Playback, PlayedTracks, Presence};
 use crate::population::Population;
 use crate::rerouting;
@@ -140,7 +140,7 @@ impl Simulation {
         let bus_halts = Arc::new(BusHalts::new(&roads, &settings.bus_stops, &standing));
         // Those who play tracks know nothing of who parks.
         let bays = if played.is_some() { &[][..] } else { &settings.parking_bays };
-        let places = ParkingPlace::all(&roads, bays, &standing, &bus_halts);
+        let places = parking_places(&roads, bays, &standing, &bus_halts);
         let parking = KerbParking::new(places, settings.profile.parked, settings.seed, -WARM_UP_S);
         if settings.jaywalking > 0.0 {
             let in_the_way: Vec<_> = standing.iter().copied().chain(parking.swept()).collect();
