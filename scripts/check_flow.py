@@ -12,6 +12,8 @@ from endless_dataset import read_png16  # noqa: E402
 
 UNKNOWN, VISIBLE, HIDDEN, OUTSIDE = range(4)
 STEP_PX = 1 / 64
+# Who covers less of a picture is nothing but edge, pixels.
+LEAST_PX = 16
 
 
 def decoded(path: pathlib.Path) -> tuple[np.ndarray, np.ndarray]:
@@ -71,7 +73,9 @@ def compare(agreement: Agreement, path: pathlib.Path, path_back: pathlib.Path | 
     assert not flow[stands].any(), f"{path}: stuff that moves"
     assert not same_there[stands & (kind == HIDDEN)].any(), f"{path}: stuff is hidden and seen"
     assert same_there[stands & (kind == VISIBLE)].all(), f"{path}: stuff is seen and not there"
-    moves = (kind == VISIBLE) & flow.any(axis=2)
+    ids = now[..., 1] * 256 + now[..., 2]
+    large = np.bincount(ids.ravel())[ids] >= LEAST_PX
+    moves = (kind == VISIBLE) & flow.any(axis=2) & large
     corner = np.floor(place - 0.5).astype(int)
     four = [
         np.clip(corner + step, 0, [width - 1, height - 1])[moves].T for step in ([0, 0], [1, 0], [0, 1], [1, 1])
