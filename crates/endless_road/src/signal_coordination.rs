@@ -4,8 +4,14 @@
 //! What is sought are the offsets that let the most vehicles arrive on green, weighted by how well a platoon holds together until
 //! then (Robertson 1969, "TRANSYT: a traffic network study tool", RRL report LR 253), by changing one junction after the other until
 //! none gets better, as TRANSYT does.
+//!
+//! A short piece between two signals holds few vehicles. Who is let into it while its own signal is red fills it up, and all others wait
+//! for the next cycle; if all the time at which they have green is like that, the road before them carries next to nothing. So what
+//! passes counts by its logarithm, as in proportional fairness (Kelly 1997, "Charging and rate control for elastic traffic"): the
+//! first few seconds at which somebody comes through count most. On long roads that is the plain sum.
 
 use crate::{JunctionId, LaneId, RoadNetwork, SignalPhase, SignalProgram, TrafficControl, likelihood_of};
+use endless_world::math::f64::ln;
 use endless_world::{SignalAspect, SignalId};
 use std::collections::BTreeMap;
 
@@ -18,6 +24,9 @@ const FIRST_SHARE: f64 = 0.8;
 const SMOOTHING: f64 = 0.35;
 /// Junctions whose cycles differ by more than this factor keep their own.
 const MOST_STRETCH: f64 = 1.6;
+/// A vehicle that stands has so much of a lane, metres, and a queue lets one go in so much time, seconds.
+const STANDING_M: f64 = 7.0;
+const SATURATION_HEADWAY_S: f64 = 2.0;
 /// Rounds over all junctions at most.
 const ROUNDS: usize = 8;
 
@@ -27,7 +36,17 @@ struct Progression {
     from: (JunctionId, SignalId),
     to: (JunctionId, SignalId),
     travel_s: f64,
+    /// The green that fills up a lane between them, while nobody gets on, seconds.
+    room_s: f64,
+    /// The share of a lane's drivers who go it, as far as they keep together.
     weight: f64,
+}
+
+impl Progression {
+    /// What so many seconds of green are worth at which those who are let go come through, of so many in all.
+    fn worth(&self, through_s: f64, green_s: f64) -> f64 {
+        self.weight * (self.room_s + green_s) * ln((self.room_s + through_s) / self.room_s)
+    }
 }
 
 /// Gives neighbouring junctions one cycle, and all of them offsets.
@@ -57,9 +76,9 @@ fn progressions(network: &RoadNetwork) -> Vec<Progression> {
         if !has_program(network, to) {
             continue;
         }
-        // Back along the lanes: each with the metres and seconds from its end to the line.
-        let mut open = vec![(approach.id, 0.0, 0.0)];
-        while let Some((lane, metres, seconds)) = open.pop() {
+        // Back along the lanes: each with the metres, those outside of junctions, and the seconds from its end to the line.
+        let mut open = vec![(approach.id, 0.0, 0.0, 0.0)];
+        while let Some((lane, metres, standing_m, seconds)) = open.pop() {
             let here = network.lane(lane);
             let length = here.centerline.length();
             let (metres, seconds) =
@@ -67,18 +86,22 @@ fn progressions(network: &RoadNetwork) -> Vec<Progression> {
             if metres > REACH_M {
                 continue;
             }
+            let standing_m = if here.junction.is_none() { standing_m + length } else { standing_m };
             for &before in &here.predecessors {
                 let Some(earlier) = signal_at_end(network, before) else {
-                    open.push((before, metres, seconds));
+                    open.push((before, metres, standing_m, seconds));
                     continue;
                 };
                 let from = here.junction.filter(|&from| from != to && has_program(network, from));
                 let smoothing = 1.0 / (1.0 + SMOOTHING * FIRST_SHARE * seconds);
+                let turns = |way: LaneId| likelihood_of(network.lane(way).turn);
+                let all: f64 = network.lane(before).successors.iter().map(|&way| turns(way)).sum();
                 found.extend(from.map(|from| Progression {
                     from: (from, earlier),
                     to: (to, signal),
                     travel_s: seconds,
-                    weight: likelihood_of(here.turn) * smoothing,
+                    room_s: (standing_m / STANDING_M).max(1.0) * SATURATION_HEADWAY_S,
+                    weight: turns(lane) / all * smoothing,
                 }));
             }
         }
@@ -171,9 +194,10 @@ fn arrivals(network: &RoadNetwork, ways: &[Progression]) -> Vec<Arrivals> {
         }
         let travel = way.travel_s.round() as usize;
         let all = between.entry((way.from.0.index(), way.to.0.index())).or_insert_with(|| vec![0.0; cycle]);
+        let green = from.iter().filter(|green| **green).count();
         for (lead, sum) in all.iter_mut().enumerate() {
             let on_green = (0..cycle).filter(|&t| from[t] && to[(t + travel + lead) % cycle]).count();
-            *sum += way.weight * on_green as f64;
+            *sum += way.worth(on_green as f64, green as f64);
         }
     }
     between.into_iter().map(|((from, to), by_lead)| Arrivals { from, to, by_lead }).collect()
@@ -226,7 +250,9 @@ fn choose_offsets(network: &mut RoadNetwork, ways: &[Progression]) {
 mod tests {
     use super::*;
     use crate::{Junction, Lane, Polyline};
+    use endless_world::math::f64::sin_cos;
     use glam::DVec3;
+    use std::f64::consts::FRAC_PI_2;
 
     /// A program of two stages for signals 2 `junction` and 2 `junction` + 1: so many seconds of green each, 5 s between.
     fn program(junction: u16, greens_s: [f64; 2], offset_s: f64) -> SignalProgram {
@@ -289,6 +315,61 @@ mod tests {
             let arrives = gone.clone().filter(|&t| is_green(&network, junction + 1, t + 12));
             assert!(arrives.count() + 1 >= gone.count().min(20), "after junction {junction}");
         }
+    }
+
+    /// Seconds a cycle at which who leaves a main road and who turns off a side street come through the next signal, which lies so
+    /// many metres on.
+    fn come_through(link_m: f64) -> [usize; 2] {
+        let line = |from: DVec3, to: DVec3| Polyline::new([from, to]);
+        let corner = DVec3::X * 20.0;
+        // A quarter of a circle from the side street.
+        let turn = (0..=16).map(|k| {
+            let (sin, cos) = sin_cos(f64::from(k) / 16.0 * FRAC_PI_2);
+            DVec3::new(20.0 - 20.0 * cos, 20.0 * sin - 20.0, 0.0)
+        });
+        let end = corner + DVec3::X * link_m;
+        let beyond = end + DVec3::X * 20.0;
+        let mut lanes = vec![
+            Lane::new(LaneId(0), line(DVec3::X * -100.0, DVec3::ZERO), 3.5, 12.5),
+            Lane::new(LaneId(1), line(DVec3::new(0.0, -120.0, 0.0), DVec3::new(0.0, -20.0, 0.0)), 3.5, 12.5),
+            Lane::new(LaneId(2), line(DVec3::ZERO, corner), 3.5, 12.5),
+            Lane::new(LaneId(3), Polyline::new(turn), 3.5, 12.5),
+            Lane::new(LaneId(4), line(corner, end), 3.5, 12.5),
+            Lane::new(LaneId(5), line(end, beyond), 3.5, 12.5),
+            Lane::new(LaneId(6), line(beyond, beyond + DVec3::X * 100.0), 3.5, 12.5),
+        ];
+        for (lane, successor) in [(0, 2), (1, 3), (2, 4), (3, 4), (4, 5), (5, 6)] {
+            lanes[lane].successors = vec![LaneId(successor)];
+        }
+        for (lane, signal) in [(0, 0), (1, 1), (4, 2)] {
+            lanes[lane].end_control = TrafficControl::Signal(SignalId(signal));
+        }
+        let of = |id: u16, ways: &[u32]| Junction {
+            lanes: ways.iter().map(|&way| LaneId(way)).collect(),
+            program: Some(program(id, [30.0, 20.0], 0.0)),
+            ..Junction::default()
+        };
+        let junctions = vec![of(0, &[2, 3]), of(1, &[5])];
+        for (way, junction) in [(2, 0), (3, 0), (5, 1)] {
+            lanes[way].junction = Some(JunctionId(junction));
+        }
+        let mut network =
+            RoadNetwork { lanes, junctions, signal_groups: 4, ..RoadNetwork::default() }.finish().expect("roads");
+        coordinate(&mut network);
+        let [first, second] = [0, 1].map(|j: usize| network.junctions[j].program.clone().expect("a program"));
+        let travel = ((20.0 + link_m) / (PROGRESSION_SHARE * 12.5)).round() as usize;
+        let shown = |program: &SignalProgram, signal: u16, t: usize| {
+            greens(program, SignalId(signal))[(t + program.offset_s as usize) % cycle_s(program)]
+        };
+        [0, 1].map(|signal| (0..60).filter(|&t| shown(&first, signal, t) && shown(&second, 2, t + travel)).count())
+    }
+
+    #[test]
+    fn before_a_short_piece_nobody_is_left_without_green_beyond_it() {
+        let [main, side] = come_through(200.0);
+        assert!(main >= 28 && side <= 2, "{main} {side}");
+        let [main, side] = come_through(15.0);
+        assert!(main >= 14 && side >= 8, "{main} {side}");
     }
 
     #[test]
