@@ -57,21 +57,23 @@ fn groups_stand_and_talk_and_children_come_with_grown_ups() {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town10HD", &catalogue).expect("a town");
     let mut traffic = simulation(&catalogue, &town, 0.8);
-    let mut talking = 0;
-    for _ in 0..120 {
-        (0..30).for_each(|_| traffic.tick());
-        let talks = |actor: &&Actor| matches!(actor.motion, Motion::Walker(motion) if motion.gait == Gait::Talk);
-        talking += people(&traffic).iter().filter(talks).count();
-    }
-    assert!(talking > 20, "{talking} seconds of talk in two minutes");
-    let people = people(&traffic);
     let height =
         |actor: &Actor| actor.asset.person().map_or(0.0, |person| Catalogue::pedestrian_spec(person.seed).height_m);
-    let position = |actor: &Actor| -> Vec3 { actor.pose.position };
-    let children: Vec<&Actor> = people.iter().filter(|actor| height(actor) < 1.4).collect();
-    assert!(!children.is_empty());
-    for child in children {
-        let near = |other: &&Actor| height(other) >= 1.4 && position(other).distance(position(child)) < 12.0;
-        assert!(people.iter().any(|other| near(&other)), "a child alone at {}", position(child));
+    let is_child = |actor: &Actor| height(actor) < 1.4;
+    let talks = |actor: &&Actor| matches!(actor.motion, Motion::Walker(motion) if motion.gait == Gait::Talk);
+    let (mut talking, mut seen, mut alone) = (0, 0, 0);
+    for _ in 0..120 {
+        (0..30).for_each(|_| traffic.tick());
+        let people = people(&traffic);
+        talking += people.iter().filter(talks).count();
+        let position = |actor: &Actor| -> Vec3 { actor.pose.position };
+        for child in people.iter().filter(|actor| is_child(actor)) {
+            let near = |other: &Actor| !is_child(other) && position(other).distance(position(child)) < 12.0;
+            seen += 1;
+            alone += usize::from(!people.iter().any(near));
+        }
     }
+    assert!(talking > 20, "{talking} seconds of talk in two minutes");
+    // Where the light changes between them, one waits for the other across the road.
+    assert!(seen > 240 && alone * 25 < seen, "children are alone in {alone} of {seen} seconds");
 }
