@@ -295,10 +295,10 @@ mod tests {
         network.finish().expect("a road")
     }
 
-    /// Whether a signal is green at a time.
-    fn is_green(network: &RoadNetwork, junction: usize, second: usize) -> bool {
-        let program = network.junctions[junction].program.as_ref().expect("a program");
-        let greens = greens(program, SignalId(2 * junction as u16));
+    /// Whether a signal of a [`program`] is green at a time.
+    fn is_green(network: &RoadNetwork, signal: usize, second: usize) -> bool {
+        let program = network.junctions[signal / 2].program.as_ref().expect("a program");
+        let greens = greens(program, SignalId(signal as u16));
         greens[(second + program.offset_s as usize) % greens.len()]
     }
 
@@ -311,8 +311,8 @@ mod tests {
         assert_eq!(cycles, [44, 44, 44]);
         // 120 m at 10 m/s.
         for junction in [0, 1] {
-            let gone = (0..44).filter(|&t| is_green(&network, junction, t));
-            let arrives = gone.clone().filter(|&t| is_green(&network, junction + 1, t + 12));
+            let gone = (0..44).filter(|&t| is_green(&network, 2 * junction, t));
+            let arrives = gone.clone().filter(|&t| is_green(&network, 2 * (junction + 1), t + 12));
             assert!(arrives.count() + 1 >= gone.count().min(20), "after junction {junction}");
         }
     }
@@ -356,12 +356,9 @@ mod tests {
         let mut network =
             RoadNetwork { lanes, junctions, signal_groups: 4, ..RoadNetwork::default() }.finish().expect("roads");
         coordinate(&mut network);
-        let [first, second] = [0, 1].map(|j: usize| network.junctions[j].program.clone().expect("a program"));
         let travel = ((20.0 + link_m) / (PROGRESSION_SHARE * 12.5)).round() as usize;
-        let shown = |program: &SignalProgram, signal: u16, t: usize| {
-            greens(program, SignalId(signal))[(t + program.offset_s as usize) % cycle_s(program)]
-        };
-        [0, 1].map(|signal| (0..60).filter(|&t| shown(&first, signal, t) && shown(&second, 2, t + travel)).count())
+        let through = |signal: usize, t: usize| is_green(&network, signal, t) && is_green(&network, 2, t + travel);
+        [0, 1].map(|signal| (0..60).filter(|&t| through(signal, t)).count())
     }
 
     #[test]
