@@ -3,7 +3,7 @@
 //! are at that instant, so that the bound of a contact is the whole gap.
 
 use crate::people_grid::Passer;
-use crate::walk_strip::{BODY_M, DirectedEdge};
+use crate::walk_strip::DirectedEdge;
 use glam::DVec2;
 
 /// Kept between bodies in any case, metres.
@@ -25,9 +25,10 @@ pub(crate) fn bound(direction: DVec2, room_m: f64, step_s: f64) -> Bound {
     Bound { direction, most: (room_m / step_s).max(0.0) }
 }
 
-/// The bounds that bodies near somebody put on their velocity for a step.
-pub(crate) fn bounds_of_bodies(at: DVec2, near: &[Passer], step_s: f64) -> Vec<Bound> {
-    let apart = 2.0 * BODY_M + SKIN_M;
+/// The bounds that bodies near somebody put on their velocity for a step, if the middles of two bodies that touch are
+/// `apart_m` from one another, metres.
+pub(crate) fn bounds_of_bodies(at: DVec2, near: &[Passer], apart_m: f64, step_s: f64) -> Vec<Bound> {
+    let apart = apart_m + SKIN_M;
     let bound = |passer: &Passer| {
         let away = passer.at - at;
         let distance = away.length();
@@ -81,7 +82,7 @@ pub(crate) fn nearest_within(bounds: &[Bound], wanted: DVec2) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::walk_strip::unit_vector;
+    use crate::walk_strip::{APART_M, unit_vector};
     use endless_world::Stream;
 
     #[test]
@@ -113,8 +114,8 @@ mod tests {
     fn who_runs_into_somebody_slides_around_them() {
         let near = [Passer { at: DVec2::new(0.53, 0.1), velocity: DVec2::ZERO, intent: DVec2::ZERO, passed: 0 }];
         let step_s = 1.0 / 30.0;
-        let velocity = nearest_within(&bounds_of_bodies(DVec2::ZERO, &near, step_s), DVec2::new(1.3, 0.0));
+        let velocity = nearest_within(&bounds_of_bodies(DVec2::ZERO, &near, APART_M, step_s), DVec2::new(1.3, 0.0));
         assert!(velocity.x > 0.01 && velocity.y < -0.05, "{velocity}");
-        assert!((near[0].at - velocity * step_s).length() >= 2.0 * BODY_M + SKIN_M - 1e-9);
+        assert!((near[0].at - velocity * step_s).length() >= APART_M + SKIN_M - 1e-9);
     }
 }

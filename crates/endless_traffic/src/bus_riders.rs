@@ -9,7 +9,7 @@ use crate::people_grid::Passer;
 use crate::roads::Roads;
 use crate::stop_places::StopPlace;
 use crate::vehicle::Vehicle;
-use crate::walk_strip::{BODY_M, height};
+use crate::walk_strip::{APART_M, BODY_M, height};
 use crate::walker::Walker;
 use endless_world::VehicleRef;
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
@@ -154,7 +154,7 @@ impl Walker {
         let wanted = left.normalize_or_zero() * PACE_MPS.min(3.0 * left.length() + 0.2);
         self.intent = wanted;
         let change = (wanted - self.velocity).clamp_length_max(ACCELERATION * step_s);
-        let mut bounds = bounds_of_bodies(self.position, near, step_s);
+        let mut bounds = bounds_of_bodies(self.position, near, APART_M, step_s);
         if gets_on && through.next == 0 {
             // Past the others, but not into the bus beside its door.
             let out = (through.points[0] - through.inside).normalize_or_zero();

@@ -4,7 +4,7 @@
 //! given time. Contacts, which the paper's bodies push away, are excluded by [`crate::body_contact`].
 
 use crate::people_grid::Passer;
-use crate::walk_strip::{BODY_M, Footway, unit_vector};
+use crate::walk_strip::{APART_M, Footway, unit_vector};
 use glam::DVec2;
 
 /// How far ahead people look for a way, metres.
@@ -46,31 +46,31 @@ impl Passer {
 }
 
 /// The velocity that somebody takes at a place if they want to go with another one.
-pub(crate) fn avoid(at: DVec2, wanted: DVec2, near: &[Passer], way: &Footway<'_>) -> DVec2 {
+pub(crate) fn avoid(at: DVec2, wanted: DVec2, near: &[Passer], apart_m: f64, way: &Footway<'_>) -> DVec2 {
     let pace = wanted.length();
     if near.is_empty() || pace < 1e-6 {
         return wanted;
     }
     let straight = wanted / pace;
-    let shy = SHY_M / (1.0 + 0.25 * crowd(at, near) as f64);
+    let apart = apart_m + SHY_M / (1.0 + 0.25 * crowd(at, near) as f64);
     let cost = |turn: f64, direction: DVec2, free: f64| {
         let left = if turn > 0.0 { LEFT_COST } else { 0.0 };
         // Square of the distance from where they get to the horizon straight ahead.
         HORIZON_M * HORIZON_M + free * free - 2.0 * HORIZON_M * free * direction.dot(straight) + left
     };
-    let free = free_path(at, straight, pace, near, shy);
+    let free = free_path(at, straight, pace, near, apart);
     let mut best = (cost(0.0, straight, free), straight);
     if free < HORIZON_M {
         for turn in TURNS {
             let direction = unit_vector(turn).rotate(straight);
-            let free = way.free_path(at, direction, &STATIONS_M).min(free_path(at, direction, pace, near, shy));
+            let free = way.free_path(at, direction, &STATIONS_M).min(free_path(at, direction, pace, near, apart));
             let cost = cost(turn, direction, free);
             if cost < best.0 {
                 best = (cost, direction);
             }
         }
     }
-    best.1 * pace.min(gap_ahead(at, best.1, near) / TIME_GAP_S)
+    best.1 * pace.min(gap_ahead(at, best.1, near, apart_m) / TIME_GAP_S)
 }
 
 /// The velocity that somebody takes in single file: they stay behind whoever is ahead.
@@ -79,7 +79,7 @@ pub(crate) fn follow(at: DVec2, wanted: DVec2, near: &[Passer]) -> DVec2 {
     if pace < 1e-6 {
         return wanted;
     }
-    wanted / pace * pace.min(gap_ahead(at, wanted / pace, near) / TIME_GAP_S)
+    wanted / pace * pace.min(gap_ahead(at, wanted / pace, near, APART_M) / TIME_GAP_S)
 }
 
 /// How many people are so near that it is crowded.
@@ -101,21 +101,21 @@ fn opposes(passer: &Passer, ahead: DVec2) -> bool {
 }
 
 /// How far somebody gets in a direction before they touch anybody, if all go on as they do, metres.
-fn free_path(at: DVec2, direction: DVec2, pace: f64, near: &[Passer], shy: f64) -> f64 {
+fn free_path(at: DVec2, direction: DVec2, pace: f64, near: &[Passer], apart: f64) -> f64 {
     let velocity = direction * pace;
     let until = HORIZON_M / pace;
-    let time = near.iter().filter_map(|passer| touch_in(passer.at - at, passer.expected() - velocity, shy));
+    let time = near.iter().filter_map(|passer| touch_in(passer.at - at, passer.expected() - velocity, apart));
     time.fold(until, f64::min) * pace
 }
 
-/// Seconds until somebody at a relative place with a relative velocity comes nearer than a body and a bit.
-fn touch_in(relative: DVec2, velocity: DVec2, shy: f64) -> Option<f64> {
+/// Seconds until somebody at a relative place with a relative velocity comes nearer than so far apart.
+fn touch_in(relative: DVec2, velocity: DVec2, apart: f64) -> Option<f64> {
     let closing = -relative.dot(velocity);
     if closing <= 0.0 {
         return None;
     }
     // Who is nearer already is in the way as soon as they come nearer still.
-    let apart = (2.0 * BODY_M + shy).min(0.98 * relative.length());
+    let apart = apart.min(0.98 * relative.length());
     let a = velocity.length_squared();
     let discriminant = closing * closing - a * (relative.length_squared() - apart * apart);
     (discriminant > 0.0 && a > 1e-9).then(|| ((closing - discriminant.sqrt()) / a).max(0.0))
@@ -128,14 +128,13 @@ pub(crate) fn give_way(at: DVec2, near: &[Passer]) -> DVec2 {
         let distance = away.length();
         let push = passer.intent.dot(away) / distance.max(1e-6);
         let held = passer.velocity.length() < HELD_SHARE * passer.intent.length();
-        (held && push > 0.0 && distance < 2.0 * BODY_M + PRESSES_M).then(|| away / distance * push)
+        (held && push > 0.0 && distance < APART_M + PRESSES_M).then(|| away / distance * push)
     };
     (near.iter().filter_map(pressed).sum::<DVec2>() * YIELDING).clamp_length_max(YIELDS_MPS)
 }
 
 /// Room to the nearest body ahead in a direction, as all stand now, metres.
-fn gap_ahead(at: DVec2, direction: DVec2, near: &[Passer]) -> f64 {
-    let apart = 2.0 * BODY_M;
+fn gap_ahead(at: DVec2, direction: DVec2, near: &[Passer], apart: f64) -> f64 {
     let gap = |passer: &Passer| {
         let away = passer.at - at;
         let (along, beside) = (away.dot(direction), direction.perp_dot(away));

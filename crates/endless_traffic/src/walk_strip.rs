@@ -7,6 +7,10 @@ use glam::DVec2;
 
 /// Bodies are discs of this radius, metres.
 pub(crate) const BODY_M: f64 = 0.25;
+/// The middles of two bodies that touch are so far from one another, metres.
+pub(crate) const APART_M: f64 = 2.0 * BODY_M;
+/// The same where one of them turns their shoulders to get past, metres: a body is half as deep as it is wide.
+pub(crate) const SIDEWAYS_APART_M: f64 = 0.36;
 
 /// The same where a kerb may be, metres.
 const KERB_ROUND_M: f64 = 0.3;

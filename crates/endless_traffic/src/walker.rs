@@ -11,7 +11,7 @@ use crate::pedestrian_avoidance::{avoid, crowd, follow, give_way, somebody_comes
 use crate::people_grid::{Passer, PeopleGrid};
 use crate::roads::Roads;
 use crate::sitting::Rest;
-use crate::walk_strip::{BODY_M, DirectedEdge, Footway, height, unit_vector};
+use crate::walk_strip::{APART_M, BODY_M, DirectedEdge, Footway, SIDEWAYS_APART_M, height, unit_vector};
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::walking::{Footsteps, PedestrianSpec};
@@ -41,6 +41,10 @@ const LETS_THROUGH_S: f64 = 5.0;
 /// Who has been stuck in a crowd for so long turns back, sooner or later: after so much more in the mean, seconds.
 const PATIENT_S: f64 = 6.0;
 const GIVES_UP_S: f64 = 10.0;
+/// Who has been stuck in a crowd for so long turns their shoulders and squeezes through, seconds.
+const SQUEEZES_S: f64 = 3.0;
+/// By so much they turn them, radians.
+const SHOULDERS_RAD: f64 = 1.1;
 /// Whom a vehicle that stands on a crossing has kept on the road for so long goes back to the kerb, seconds: drivers wait for
 /// them, and that vehicle may wait for these drivers.
 const HELD_UP_S: f64 = 12.0;
@@ -351,7 +355,11 @@ impl Walker {
         // Who overtakes on a narrow sidewalk would stand in the way of those who come.
         let in_file =
             makes_room && self.stuck.0 <= 0.0 && strip.kind == WalkKind::Sidewalk && strip.half_width < NARROW_M;
-        let free = if in_file { follow(self.position, wanted, near) } else { avoid(self.position, wanted, near, &way) };
+        let free = if in_file {
+            follow(self.position, wanted, near)
+        } else {
+            avoid(self.position, wanted, near, self.apart_m(), &way)
+        };
         let change = free + makes_way - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
         self.advance(near, &way, kerb, step_s);
@@ -409,6 +417,17 @@ impl Walker {
         }
     }
 
+    /// Whether they turn their shoulders to get through a crowd (Yamamoto, Yanagisawa, Feliciani and Nishinari 2019, "Body-rotation
+    /// behavior of pedestrians for collision avoidance in passing and cross flow").
+    fn squeezes(&self) -> bool {
+        self.crowded_s > SQUEEZES_S
+    }
+
+    /// How far they stay from the middles of others, metres.
+    fn apart_m(&self) -> f64 {
+        if self.squeezes() { SIDEWAYS_APART_M } else { APART_M }
+    }
+
     /// Whether a crowd has kept them from getting on for so long, seconds.
     pub(crate) fn is_stuck_in_crowd(&self, for_s: f64) -> bool {
         self.crowded_s > for_s
@@ -459,7 +478,7 @@ impl Walker {
         // On a crossing there is room for a body beside those who come the other way.
         let beside = if way.strip.kind == WalkKind::Sidewalk { 0.0 } else { BODY_M };
         let stays = |v: &DVec2| way.outside(self.position + *v * step_s) <= here.max(beside) + 1e-9;
-        let bodies = bounds_of_bodies(self.position, near, step_s);
+        let bodies = bounds_of_bodies(self.position, near, self.apart_m(), step_s);
         let along_edges = |strip: &DirectedEdge| {
             let edges = bounds_of_strip(strip, self.position, beside, step_s);
             nearest_within(&[&bodies[..], &edges].concat(), self.velocity)
@@ -484,6 +503,7 @@ impl Walker {
         } else {
             return;
         };
+        let facing = if self.squeezes() { unit_vector(SHOULDERS_RAD).rotate(facing) } else { facing };
         let off = wrap_angle(atan2(facing.y, facing.x) - self.yaw);
         self.yaw = wrap_angle(self.yaw + (off * 5.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
     }

@@ -7,10 +7,11 @@ use super::check::AuditCheck;
 use super::finding::Incidents;
 use super::report::AuditLine;
 use super::sight::Sight;
+use crate::walk_strip::SIDEWAYS_APART_M;
 use endless_world::{Actor, InstanceId, VehicleSpec};
 use glam::DVec2;
 
-/// People are discs of this radius, metres.
+/// People are discs of this radius to vehicles, metres; to one another as those who turn their shoulders.
 const PERSON_M: f64 = 0.25;
 /// They touch when they overlap by more than this, metres: positions are rounded.
 const ROUNDING_M: f64 = 1e-3;
@@ -107,10 +108,10 @@ impl Contacts {
                 .filter(|(_, body)| body.touches_disc(person.at, PERSON_M - ROUNDING_M, feet, feet + TALL_M))
                 .filter(|(vehicle, _)| !sight.of(*vehicle).is_some_and(|bus| goes_through(bus, person.at)));
             self.touching.extend(hit.map(|&(vehicle, _)| (id, vehicle)));
-            let others = self.people_grid.near(around(person.at, 2.0 * PERSON_M)).filter(|&other| other > number);
+            let others = self.people_grid.near(around(person.at, SIDEWAYS_APART_M)).filter(|&other| other > number);
             let touched = others.map(|other| people[other]).filter(|other| {
                 let apart_m = f64::from(other.actor.pose.position.z) - feet;
-                other.at.distance(person.at) < 2.0 * PERSON_M - ROUNDING_M && apart_m.abs() < TALL_M
+                other.at.distance(person.at) < SIDEWAYS_APART_M - ROUNDING_M && apart_m.abs() < TALL_M
             });
             self.touching.extend(touched.map(|other| (id, other.actor.id)));
         }

@@ -190,8 +190,8 @@ fn people_are_touched_by_vehicles_and_by_one_another() {
     };
     assert_eq!(fails(6.0, above), []);
     let meet = |aside: f64| move |t: f64| vec![person(1, [10.0 + t, -4.0]), person(2, [20.0, -4.0 - aside])];
-    assert_eq!(fails(12.0, meet(0.45)), [AuditCheck::PeopleTouch]);
-    assert_eq!(fails(12.0, meet(0.55)), []);
+    assert_eq!(fails(12.0, meet(0.3)), [AuditCheck::PeopleTouch]);
+    assert_eq!(fails(12.0, meet(0.4)), []);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::places::BenchPlace;
 use crate::body_contact::{bounds_of_bodies, nearest_within};
 use crate::people_grid::Passer;
 use crate::roads::Roads;
-use crate::walk_strip::{BODY_M, height};
+use crate::walk_strip::{APART_M, BODY_M, height};
 use crate::walker::Walker;
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::walking::Footsteps;
@@ -168,7 +168,7 @@ impl Walker {
         let wanted = left.normalize_or_zero() * PACE_MPS.min(2.5 * left.length());
         self.intent = wanted;
         let change = (wanted - self.velocity).clamp_length_max(ACCELERATION * step_s);
-        let bounds = bounds_of_bodies(self.position, near, step_s);
+        let bounds = bounds_of_bodies(self.position, near, APART_M, step_s);
         self.velocity = nearest_within(&bounds, self.velocity + change);
         self.position += self.velocity * step_s;
         if self.velocity.length() > 0.25 {

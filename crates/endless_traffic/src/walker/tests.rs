@@ -192,7 +192,7 @@ fn over_weidmann(densities: &[f64], directions: Directions) -> Vec<f64> {
         let mut crowd = Crowd::corridor(*density, directions);
         assert!((crowd.walkers.len() as f64 / crowd.area / density - 1.0).abs() < 0.05);
         let seen = crowd.walk(40.0, 10.0);
-        assert!(seen.nearest_m > 2.0 * BODY_M && seen.outside_m < BODY_M, "{density} {directions:?}: {seen:?}");
+        assert!(seen.nearest_m > SIDEWAYS_APART_M && seen.outside_m < BODY_M, "{density} {directions:?}: {seen:?}");
         seen.mean_mps / weidmann_mps(*density)
     };
     densities.iter().map(share).collect()
@@ -214,6 +214,15 @@ fn so_it_does_where_people_come_the_other_way() {
     assert!(shares.iter().all(|share| (0.75..1.25).contains(share)), "{shares:?}");
 }
 
+/// Where so many meet that nobody gets past with their shoulders square, they turn them: streams get on for all that.
+#[test]
+fn opposed_crowds_squeeze_past_one_another() {
+    for density in [1.5, 2.0] {
+        let seen = Crowd::corridor(density, Directions::Mixed).walk(90.0, 30.0);
+        assert!(seen.mean_mps > 0.6 * weidmann_mps(density) && seen.standing < 0.2, "{density}: {seen:?}");
+    }
+}
+
 /// Two files pass one another where two bodies just fit beside one another, and nobody blocks the way for ever.
 #[test]
 fn people_pass_on_a_narrow_sidewalk() {
@@ -228,7 +237,7 @@ fn five_hundred_on_a_square_keep_moving() {
     let mut crowd = Crowd::square(500);
     let seen = crowd.walk(60.0, 30.0);
     assert!(seen.mean_mps > 1.0 && seen.standing < 0.02, "{seen:?}");
-    assert!(seen.nearest_m > 2.0 * BODY_M && seen.outside_m < 0.01, "{seen:?}");
+    assert!(seen.nearest_m > SIDEWAYS_APART_M && seen.outside_m < 0.01, "{seen:?}");
 }
 
 #[test]
