@@ -318,7 +318,8 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
         let from = roads.table(swept.lane).length - swept.last_m;
         occupancy.on(swept.lane).iter().any(|o| o.front > from && o.speed < STANDS_MPS)
     };
-    2.0 * me.half_length < LONG_M || !lanes.iter().any(|&lane| roads.table(lane).sweeps.iter().any(stands_there))
+    2.0 * me.half_length < LONG_M
+        || !lanes.iter().any(|&lane| roads.table(lane).sweeps.approaches.iter().any(stands_there))
 }
 
 /// Room beyond the junction that is kept for somebody who has waited long to get there, and longer than who asks, metres: where

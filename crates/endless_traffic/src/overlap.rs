@@ -56,6 +56,23 @@ pub(crate) struct SweptApproach {
     pub(crate) last_m: f64,
 }
 
+/// The first piece of a lane beyond a junction, over which a long vehicle sweeps that turns onto another.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SweptExit {
+    pub(crate) lane: LaneId,
+    /// It does so from here on along its own lane, metres: a place of its middle.
+    pub(crate) from_m: f64,
+    /// Up to here on the other, metres: a place of a rear bumper.
+    pub(crate) to_m: f64,
+}
+
+/// What long vehicles sweep that turn on a lane.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SweptBeside {
+    pub(crate) approaches: Vec<SweptApproach>,
+    pub(crate) exits: Vec<SweptExit>,
+}
+
 /// The bodies for which room is kept.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DesignVehicles {
@@ -161,6 +178,19 @@ fn approaches(network: &RoadNetwork, inside: &[LaneId]) -> BTreeSet<LaneId> {
     before.filter(|&l| network.lane(l).junction.is_none()).collect()
 }
 
+/// The lanes that lead out of a junction.
+fn exits(network: &RoadNetwork, inside: &[LaneId]) -> BTreeSet<LaneId> {
+    let after = inside.iter().flat_map(|&l| network.lane(l).successors.iter().copied());
+    after.filter(|&l| network.lane(l).junction.is_none()).collect()
+}
+
+/// Where the middle of one who turns comes near whoever stands at the beginning of a lane, and how far on their rear bumper must be
+/// to be out of its way, metres.
+fn swept_exit(network: &RoadNetwork, beyond: LaneId, body: DesignVehicle, turning: &SweptPath) -> Option<(f64, f64)> {
+    let stands = SweptPath::between(network, network.lane(beyond), body, body.half.x, body.half.x + MOST_SETBACK_M);
+    turning.touch(&stands).map(|((from_m, _), (_, to_m))| (from_m, to_m - body.half.x))
+}
+
 /// How far before the end of a lane those who wait there must keep, for one who turns beside them to get past; more than
 /// [`MOST_SETBACK_M`] if that is not enough.
 fn setback(network: &RoadNetwork, before: LaneId, body: DesignVehicle, turning: &SweptPath) -> f64 {
@@ -171,14 +201,15 @@ fn setback(network: &RoadNetwork, before: LaneId, body: DesignVehicle, turning: 
 }
 
 /// Takes the ways through junctions from a long model on which it would touch those who wait, wherever they wait, and
-/// keeps its room free before the lines elsewhere: `sweeps` has it by the lane on which one turns.
+/// keeps its room free before the lines elsewhere: `sweeps` has it by the lane on which one turns, and what it sweeps beyond the
+/// junction.
 pub(crate) fn make_room(
     network: &RoadNetwork,
     bodies: DesignVehicles,
     spec: &VehicleSpec,
     allowed: &mut [bool],
     setbacks: &mut [f64],
-    sweeps: &mut [Vec<SweptApproach>],
+    sweeps: &mut [SweptBeside],
 ) {
     let body = DesignVehicle::around(std::iter::once(spec), ASIDE_M);
     for junction in &network.junctions {
@@ -207,10 +238,20 @@ pub(crate) fn make_room(
             }
             for (before, needed) in needed.into_iter().filter(|(_, needed)| *needed > 0.0) {
                 setbacks[before.index()] = needed.max(setbacks[before.index()]);
-                let swept = &mut sweeps[lane.index()];
+                let swept = &mut sweeps[lane.index()].approaches;
                 match swept.iter_mut().find(|s| s.lane == before) {
                     Some(known) => known.last_m = needed.max(known.last_m),
                     None => swept.push(SweptApproach { lane: before, last_m: needed }),
+                }
+            }
+            for beyond in
+                exits(network, &junction.lanes).into_iter().filter(|l| !network.lane(lane).successors.contains(l))
+            {
+                let Some((from_m, to_m)) = swept_exit(network, beyond, bodies.broad, &sweep) else { continue };
+                let swept = &mut sweeps[lane.index()].exits;
+                match swept.iter_mut().find(|s| s.lane == beyond) {
+                    Some(known) => (known.from_m, known.to_m) = (from_m.min(known.from_m), to_m.max(known.to_m)),
+                    None => swept.push(SweptExit { lane: beyond, from_m, to_m }),
                 }
             }
         }
@@ -299,4 +340,66 @@ fn unrelated(network: &RoadNetwork, a: &Lane, b: &Lane) -> bool {
     let scrap = |id: LaneId| network.lane(id).centerline.length() < SCRAP_M;
     let soon_after = |a: &Lane, b: &Lane| a.successors.iter().any(|&s| scrap(s) && b.predecessors.contains(&s));
     outside && !(beside || after(a, b) || after(b, a) || soon_after(a, b) || soon_after(b, a))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_road::{Junction, JunctionId, Polyline};
+    use endless_world::math::f64::sin_cos;
+    use glam::DVec3;
+    use std::f64::consts::FRAC_PI_2;
+
+    /// Two lanes (0, 1) that turn left side by side (2, 3), and on (4, 5): the one on the inside first.
+    fn double_left_turn() -> RoadNetwork {
+        const TIGHT_M: f64 = 12.0;
+        let radius_m = [TIGHT_M, TIGHT_M + 3.5];
+        let straight = |from: [f64; 2], to: [f64; 2]| [from, to].map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
+        let arc = |radius: f64| {
+            let at = |k: u32| {
+                let (sin, cos) = sin_cos(FRAC_PI_2 * f64::from(k) / 12.0);
+                DVec3::new(radius * cos - TIGHT_M, radius * sin, 0.0)
+            };
+            (0..=12).map(at).collect::<Vec<_>>()
+        };
+        let before = radius_m.map(|radius| straight([radius - TIGHT_M, -40.0], [radius - TIGHT_M, 0.0]));
+        let after = radius_m.map(|radius| straight([-TIGHT_M, radius], [-TIGHT_M - 40.0, radius]));
+        let lines = before.into_iter().chain(radius_m.map(arc)).chain(after);
+        let mut lanes: Vec<Lane> =
+            (0..).zip(lines).map(|(id, line)| Lane::new(LaneId(id), Polyline::new(line), 3.5, 13.9)).collect();
+        for k in 0..4 {
+            lanes[k].successors = vec![LaneId(k as u32 + 2)];
+        }
+        for turn in [2, 3] {
+            (lanes[turn].junction, lanes[turn].turn) = (Some(JunctionId(0)), Turn::Left);
+        }
+        let junctions = vec![Junction { lanes: vec![LaneId(2), LaneId(3)], ..Junction::default() }];
+        RoadNetwork { lanes, junctions, ..RoadNetwork::default() }.finish().expect("two turns")
+    }
+
+    #[test]
+    fn a_bus_that_turns_sweeps_over_who_stands_where_the_lane_beside_goes_on() {
+        let bus = VehicleSpec {
+            length_m: 12.0,
+            width_m: 2.5,
+            front_axle_m: 3.3,
+            rear_axle_m: -2.6,
+            ..VehicleSpec::default()
+        };
+        let network = double_left_turn();
+        let bodies = DesignVehicles::of(&[VehicleSpec::default()]);
+        let exits = |spec: &VehicleSpec| {
+            let n = network.lanes.len();
+            let (mut allowed, mut setbacks, mut sweeps) =
+                (vec![true; n], vec![0.0; n], vec![SweptBeside::default(); n]);
+            make_room(&network, bodies, spec, &mut allowed, &mut setbacks, &mut sweeps);
+            sweeps.swap_remove(2).exits
+        };
+        let length_m = network.lanes[2].centerline.length();
+        let [swept] = exits(&bus)[..] else { panic!("{:?}", exits(&bus)) };
+        assert_eq!(swept.lane, LaneId(5));
+        assert!((0.5 * length_m..length_m).contains(&swept.from_m), "{swept:?}, {length_m} m");
+        assert!((0.0..MOST_SETBACK_M).contains(&swept.to_m), "{swept:?}");
+        assert!(exits(&VehicleSpec::default()).is_empty());
+    }
 }

@@ -4,7 +4,7 @@ use crate::attraction::Attraction;
 use crate::focus::Focus;
 use crate::midblock::MidblockWays;
 use crate::overlap::{
-    ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, SweptApproach, alongside, make_room, siblings,
+    ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, SweptBeside, alongside, make_room, siblings,
 };
 use crate::sitting::BenchPlaces;
 use crate::stop_places::StopPlaces;
@@ -57,7 +57,7 @@ pub(crate) struct LaneTable {
     /// Distance from the lane's end at which vehicles wait, so that those who turn get past, metres.
     pub(crate) setback: f64,
     /// Where nobody may stand while a long vehicle turns on it.
-    pub(crate) sweeps: Vec<SweptApproach>,
+    pub(crate) sweeps: SweptBeside,
     /// Whether who drives on straight from here will have to turn where others go straight on, with no room to change lanes before.
     pub(crate) ends_in_turn: bool,
     /// Whether one comes back to it who changes to no other lane.
@@ -174,7 +174,7 @@ impl TrafficMap {
         }
         let everybody = network.lanes_in_use(&borders);
         let mut setbacks: Vec<f64> = lanes.iter().map(|table| table.setback).collect();
-        let mut sweeps = vec![Vec::new(); lanes.len()];
+        let mut sweeps = vec![SweptBeside::default(); lanes.len()];
         let allowed = specs
             .iter()
             .map(|spec| {
@@ -190,7 +190,10 @@ impl TrafficMap {
             table.setback = *setback;
         }
         for (table, mut sweeps) in lanes.iter_mut().zip(sweeps) {
-            sweeps.iter_mut().for_each(|swept| swept.last_m = swept.last_m.min(setbacks[swept.lane.index()]));
+            sweeps
+                .approaches
+                .iter_mut()
+                .for_each(|swept| swept.last_m = swept.last_m.min(setbacks[swept.lane.index()]));
             table.sweeps = sweeps;
         }
         Self(Arc::new(RoadTables { network, borders, specs: specs.to_vec(), allowed, lanes }))

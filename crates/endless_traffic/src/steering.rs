@@ -5,6 +5,7 @@ use crate::driver::HARDEST_BRAKING;
 use crate::filtering;
 use crate::junction_controller::JunctionController;
 use crate::occupancy::{Leader, Leaders, Occupancy};
+use crate::overlap::SweptExit;
 use crate::queue_exit;
 use crate::roads::{Roads, fastest_before};
 use crate::vehicle::Vehicle;
@@ -27,6 +28,11 @@ const JERK_DOWN: f64 = 25.0;
 /// The last of a stop is gentle: hardest braking of who is about to stand, m/s², and how much harder it may be for each m/s.
 const LAST_BRAKING: f64 = 0.8;
 const BRAKING_PER_MPS: f64 = 4.0;
+
+/// Who is slower than this beyond a junction may come to stand in the way of one who turns beside them, m/s.
+const CRAWLS_MPS: f64 = 3.0;
+/// Room that is kept before them, metres.
+const BEFORE_SWEPT_M: f64 = 0.5;
 
 /// What all drivers see.
 pub(crate) struct DriverView<'a> {
@@ -90,6 +96,9 @@ impl DriverView<'_> {
                     nearest = nearest.min(gap.max(0.06));
                 }
             }
+            if me.long() {
+                nearest = nearest.min(self.swept_exit_ahead(lane, base));
+            }
             if let Some(junction) = table.junction {
                 match me.right_of_way_at(junction) {
                     Some(right_of_way) => {
@@ -124,6 +133,17 @@ impl DriverView<'_> {
             }
         }
         nearest.is_finite().then(|| self.off_crossings(me, nearest))
+    }
+
+    /// Distance to where one who is long would begin to sweep over those who are slow to leave the junction beside it, metres.
+    fn swept_exit_ahead(&self, lane: LaneId, base: f64) -> f64 {
+        let is_in_the_way = |swept: &&SweptExit| {
+            let there = self.occupancy.on(swept.lane).iter();
+            base + swept.from_m > 0.0
+                && there.clone().any(|o| o.rear < swept.to_m && o.front > 0.0 && o.speed < CRAWLS_MPS)
+        };
+        let swept = self.roads.table(lane).sweeps.exits.iter().filter(is_in_the_way);
+        swept.map(|swept| (base + swept.from_m - BEFORE_SWEPT_M).max(0.06)).fold(f64::INFINITY, f64::min)
     }
 
     /// How far the front bumper gets without waiting for anybody, even if those ahead brake, metres.
