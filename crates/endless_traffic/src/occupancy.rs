@@ -70,12 +70,19 @@ pub(crate) struct Leaders {
     pub(crate) beside: Option<Leader>,
     /// The speed at which to pass those in a queue, m/s.
     pub(crate) pace_mps: Option<f64>,
+    /// How far ahead the nearest of those is, metres.
+    pub(crate) passed_m: Option<f64>,
 }
 
 impl Leaders {
     /// The nearest of them.
     pub(crate) fn nearest(self) -> Option<Leader> {
         self.ahead.into_iter().chain(self.beside).min_by(|a, b| a.gap.total_cmp(&b.gap))
+    }
+
+    /// Whether there is somebody in a queue to pass before whom to stay behind.
+    pub(crate) fn passes_somebody(&self) -> bool {
+        self.passed_m.is_some_and(|passed_m| self.ahead.is_none_or(|ahead| passed_m < ahead.gap))
     }
 
     /// How far ahead the first of them could stand, metres.
@@ -204,6 +211,7 @@ impl Occupancy {
             if same_queue && o.queues && filtering::passes(me, across, &o.across, gap) {
                 let pace = pace_past(o.speed, gap);
                 found.pace_mps = Some(found.pace_mps.map_or(pace, |least: f64| least.min(pace)));
+                found.passed_m = Some(found.passed_m.map_or(gap, |nearest: f64| nearest.min(gap)));
                 return;
             }
             if (filters || o.filters) && filtering::is_beside(across, &o.across, gap) {

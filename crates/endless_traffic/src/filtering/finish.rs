@@ -14,11 +14,12 @@ const GAP_M: f64 = 1.2;
 /// Time for which those behind may come nearer meanwhile, seconds: they see the rider ahead all along.
 const CLOSES_S: f64 = 0.5;
 
-/// Whether somebody who passes a queue finds a gap to get back into, and has nobody to pass any more.
+/// Whether somebody who passes a queue finds a gap to get back into, and has nobody to pass any more: those beyond whoever stands in
+/// the way do not count.
 pub(super) fn may(view: &RiderView<'_>, vehicles: &[Vehicle], i: usize, way: Filtering) -> bool {
     let me = &vehicles[i];
     let leaders = view.occupancy.leaders(view.roads, me, i, AHEAD_M + me.half_length);
-    if leaders.pace_mps.is_some() || leaders.beside.is_some() {
+    if leaders.passes_somebody() || leaders.beside.is_some() {
         return false;
     }
     if let Some(ahead) = leaders.ahead {

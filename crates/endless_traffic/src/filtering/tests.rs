@@ -148,6 +148,26 @@ fn who_passes_sees_the_queue_as_beside_and_the_queue_lets_it_go_first() {
 }
 
 #[test]
+fn who_cannot_get_past_a_bus_goes_back_into_the_queue() {
+    let roads = street(2, 3.3);
+    let mut vehicles = vec![vehicle(&roads, 0, 1, 150.0, 0.0), vehicle(&roads, 1, 1, 182.0, 0.0)];
+    let started = way(&roads, &vehicles, RED).expect("room");
+    (vehicles[0].filtering, vehicles[0].rolled, vehicles[0].s) = (Some(started), 42.0, 170.0);
+    let may_finish = |vehicles: &[Vehicle]| {
+        let mut occupancy = Occupancy::default();
+        occupancy.rebuild(&roads, vehicles);
+        let signals = RED.map(|aspect| SignalState { aspect });
+        let view = RiderView { roads: &roads, occupancy: &occupancy, signals: &signals, parked: &[] };
+        finish::may(&view, vehicles, 0, started)
+    };
+    assert!(!may_finish(&vehicles), "there is a car to pass");
+    vehicles.push(vehicle(&roads, 2, 0, 180.0, 0.0));
+    assert!(may_finish(&vehicles), "the bus beside leaves no room, so the car beyond its rear does not count");
+    vehicles[2] = vehicle(&roads, 2, 0, 193.0, 0.0);
+    assert!(!may_finish(&vehicles), "the car comes first");
+}
+
+#[test]
 fn who_may_go_does_not_wait_for_a_rider_who_stands_beside_and_may_not() {
     let roads = street(1, 3.3);
     let (mut car, mut rider) = (vehicle(&roads, 1, 0, 197.0, 0.0), vehicle(&roads, 0, 0, 197.2, 0.0));
