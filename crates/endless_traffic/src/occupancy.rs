@@ -80,11 +80,6 @@ impl Leaders {
         self.ahead.into_iter().chain(self.beside).min_by(|a, b| a.gap.total_cmp(&b.gap))
     }
 
-    /// Whether there is somebody in a queue to pass before whom to stay behind.
-    pub(crate) fn passes_somebody(&self) -> bool {
-        self.passed_m.is_some_and(|passed_m| self.ahead.is_none_or(|ahead| passed_m < ahead.gap))
-    }
-
     /// How far ahead the first of them could stand, metres.
     pub(crate) fn could_stand_m(self) -> f64 {
         let all = [self.ahead, self.beside, self.stands_first].into_iter().flatten();

@@ -1,9 +1,9 @@
 //! How riders get back into the queue, or ahead of it.
 
-use super::precedence::CLEAR_M;
+use super::precedence::{CLEAR_M, STAYS_MPS};
 use super::view::RiderView;
 use super::way::{Filtering, drift_length_m};
-use crate::occupancy::Occupant;
+use crate::occupancy::{Leader, Leaders, Occupant};
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
 
@@ -19,7 +19,7 @@ const CLOSES_S: f64 = 0.5;
 pub(super) fn may(view: &RiderView<'_>, vehicles: &[Vehicle], i: usize, way: Filtering) -> bool {
     let me = &vehicles[i];
     let leaders = view.occupancy.leaders(view.roads, me, i, AHEAD_M + me.half_length);
-    if leaders.passes_somebody() || leaders.beside.is_some() {
+    if leaders.passed_m.is_some() && !is_barred(me, &leaders) || leaders.beside.is_some() {
         return false;
     }
     if let Some(ahead) = leaders.ahead {
@@ -33,6 +33,13 @@ pub(super) fn may(view: &RiderView<'_>, vehicles: &[Vehicle], i: usize, way: Fil
         let gap_m = -me.half_length - (base + o.front);
         gap_m > GAP_M + CLOSES_S * (o.speed - me.speed).max(0.0)
     })
+}
+
+/// Whether a rider stands behind somebody who stands, too, before all whom it could pass.
+fn is_barred(me: &Vehicle, leaders: &Leaders) -> bool {
+    let stands =
+        |ahead: Leader| ahead.speed < STAYS_MPS && leaders.passed_m.is_none_or(|passed_m| ahead.gap < passed_m);
+    me.speed < STAYS_MPS && leaders.ahead.is_some_and(stands)
 }
 
 /// Metres to the next road beyond a junction, where there may be no room but in the lane.

@@ -14,7 +14,7 @@ pub(super) const QUEUES_MPS: f64 = 2.0;
 /// Who is less than this ahead, bumper to bumper, is beside somebody, metres.
 const BESIDE_M: f64 = 2.0;
 /// Who is slower has not set off, m/s.
-const STAYS_MPS: f64 = 0.1;
+pub(super) const STAYS_MPS: f64 = 0.1;
 /// Room kept to who stands at the end of the queue, metres.
 pub(super) const BEHIND_M: f64 = 1.0;
 
