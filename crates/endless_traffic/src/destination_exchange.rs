@@ -6,7 +6,7 @@
 //! instead. A wish to get out of a jam comes to its edge like that, from one to the next, whatever room there is.
 
 use crate::roads::Roads;
-use crate::walk_strip::BODY_M;
+use crate::walk_strip::APART_M;
 use crate::walker::Walker;
 use endless_road::{WalkEdgeId, WalkGraph, WalkNodeId};
 use glam::DVec2;
@@ -49,7 +49,7 @@ fn are_in_the_way(a: &Walker, b: &Walker) -> bool {
     let away = b.position - a.position;
     let distance = away.length();
     let meets = |walker: &Walker, away: DVec2| walker.intent.dot(away) > AHEAD * walker.intent.length() * distance;
-    distance < 2.0 * BODY_M + TOUCH_M
+    distance < APART_M + TOUCH_M
         && a.intent.dot(b.intent) < ALIKE * a.intent.length() * b.intent.length()
         && (meets(a, away) || meets(b, -away))
 }

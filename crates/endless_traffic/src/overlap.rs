@@ -213,7 +213,7 @@ pub(crate) fn make_room(
 ) {
     let body = DesignVehicle::around(std::iter::once(spec), ASIDE_M);
     for junction in &network.junctions {
-        let before = approaches(network, &junction.lanes);
+        let (before, beyond) = (approaches(network, &junction.lanes), exits(network, &junction.lanes));
         for &lane in junction.lanes.iter().filter(|l| network.lane(**l).turn != Turn::Straight) {
             if !allowed[lane.index()] {
                 continue;
@@ -244,14 +244,12 @@ pub(crate) fn make_room(
                     None => swept.push(SweptApproach { lane: before, last_m: needed }),
                 }
             }
-            for beyond in
-                exits(network, &junction.lanes).into_iter().filter(|l| !network.lane(lane).successors.contains(l))
-            {
-                let Some((from_m, to_m)) = swept_exit(network, beyond, bodies.broad, &sweep) else { continue };
+            for &exit in beyond.iter().filter(|l| !network.lane(lane).successors.contains(l)) {
+                let Some((from_m, to_m)) = swept_exit(network, exit, bodies.broad, &sweep) else { continue };
                 let swept = &mut sweeps[lane.index()].exits;
-                match swept.iter_mut().find(|s| s.lane == beyond) {
+                match swept.iter_mut().find(|s| s.lane == exit) {
                     Some(known) => (known.from_m, known.to_m) = (from_m.min(known.from_m), to_m.max(known.to_m)),
-                    None => swept.push(SweptExit { lane: beyond, from_m, to_m }),
+                    None => swept.push(SweptExit { lane: exit, from_m, to_m }),
                 }
             }
         }

@@ -138,9 +138,8 @@ impl DriverView<'_> {
     /// Distance to where one who is long would begin to sweep over those who are slow to leave the junction beside it, metres.
     fn swept_exit_ahead(&self, lane: LaneId, base: f64) -> f64 {
         let is_in_the_way = |swept: &&SweptExit| {
-            let there = self.occupancy.on(swept.lane).iter();
-            base + swept.from_m > 0.0
-                && there.clone().any(|o| o.rear < swept.to_m && o.front > 0.0 && o.speed < CRAWLS_MPS)
+            let mut there = self.occupancy.on(swept.lane).iter();
+            base + swept.from_m > 0.0 && there.any(|o| o.rear < swept.to_m && o.front > 0.0 && o.speed < CRAWLS_MPS)
         };
         let swept = self.roads.table(lane).sweeps.exits.iter().filter(is_in_the_way);
         swept.map(|swept| (base + swept.from_m - BEFORE_SWEPT_M).max(0.06)).fold(f64::INFINITY, f64::min)

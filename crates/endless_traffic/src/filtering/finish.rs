@@ -19,7 +19,7 @@ const CLOSES_S: f64 = 0.5;
 pub(super) fn may(view: &RiderView<'_>, vehicles: &[Vehicle], i: usize, way: Filtering) -> bool {
     let me = &vehicles[i];
     let leaders = view.occupancy.leaders(view.roads, me, i, AHEAD_M + me.half_length);
-    if leaders.passed_m.is_some() && !is_barred(me, &leaders) || leaders.beside.is_some() {
+    if leaders.passed_m.is_some_and(|passed_m| !is_barred(me, &leaders, passed_m)) || leaders.beside.is_some() {
         return false;
     }
     if let Some(ahead) = leaders.ahead {
@@ -35,10 +35,9 @@ pub(super) fn may(view: &RiderView<'_>, vehicles: &[Vehicle], i: usize, way: Fil
     })
 }
 
-/// Whether a rider stands behind somebody who stands, too, before all whom it could pass.
-fn is_barred(me: &Vehicle, leaders: &Leaders) -> bool {
-    let stands =
-        |ahead: Leader| ahead.speed < STAYS_MPS && leaders.passed_m.is_none_or(|passed_m| ahead.gap < passed_m);
+/// Whether a rider stands behind somebody who stands, too, before all whom it could pass, the nearest so far ahead, metres.
+fn is_barred(me: &Vehicle, leaders: &Leaders, passed_m: f64) -> bool {
+    let stands = |ahead: Leader| ahead.speed < STAYS_MPS && ahead.gap < passed_m;
     me.speed < STAYS_MPS && leaders.ahead.is_some_and(stands)
 }
 

@@ -5,7 +5,7 @@ use super::places::BenchPlace;
 use crate::body_contact::{bounds_of_bodies, nearest_within};
 use crate::people_grid::Passer;
 use crate::roads::Roads;
-use crate::walk_strip::{APART_M, BODY_M, height};
+use crate::walk_strip::{APART_M, height};
 use crate::walker::Walker;
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::walking::Footsteps;
@@ -31,7 +31,7 @@ const TRIES_S: f64 = 12.0;
 /// Who is this far behind a seat and no further away from it could not get away any more once somebody sits there, metres.
 const SHUTS_IN_M: [f64; 2] = [0.1, 1.0];
 /// Somebody may touch who sits down where there is less than this between the middles of bodies, metres.
-const ROOM_M: f64 = 2.0 * BODY_M + 0.01;
+const ROOM_M: f64 = APART_M + 0.01;
 
 impl Walker {
     /// Whether they have left the sidewalk for a bench.
@@ -185,6 +185,7 @@ mod tests {
     use crate::focus::Focus;
     use crate::roads::TrafficMap;
     use crate::sitting::BenchPlaces;
+    use crate::walk_strip::BODY_M;
     use endless_road::{RoadNetwork, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId};
     use endless_world::Stream;
     use endless_world::walking::PedestrianSpec;
