@@ -1,6 +1,6 @@
 """Times `endless serve` through CARLA's own client.
 
-    python scripts/bench_carla.py endless [--map Town03] [--seconds 10] [--minutes 0 [--pace 20]]
+    python scripts/bench_carla.py endless [--map Town03] [--quality-level Epic] [--seconds 10] [--minutes 0 [--pace 20]]
 
 Needs `pip install carla==0.9.16 numpy`. Prints: answers a second to one client that waits for each, to one that does not, and to
 eight that wait; frames a second of a camera on a pole and of one on a moving car, in synchronous mode, with thirty vehicles that
@@ -98,11 +98,12 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--map", default="Town03")
+    parser.add_argument("--quality-level", default="Epic", choices=("Low", "Epic"))
     parser.add_argument("--seconds", type=float, default=10)
     parser.add_argument("--minutes", type=float, default=0)
     parser.add_argument("--pace", type=float, default=20, help="ticks a second in those minutes")
     args = parser.parse_args()
-    with Server(args.program, args.map) as server:
+    with Server(args.program, args.map, flags=("--quality-level", args.quality_level)) as server:
         client = carla.Client("127.0.0.1", server.port)
         client.set_timeout(60)
         world = client.get_world()

@@ -9,7 +9,7 @@ use crate::{
 use bytesize::ByteSize;
 
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use endless_carla::client::Address;
 use endless_interchange::TrajectoryFormat;
 use endless_world::{DrivingSide, Region, SignalControl, TimeOfDay, Weather};
@@ -63,10 +63,21 @@ pub(crate) struct ServeArgs {
     /// Of all that is drawn.
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,
+    /// How good the pictures of moving cameras are: Low leaves steps at edges, and is faster.
+    #[arg(long, value_name = "LEVEL", default_value = "Epic", ignore_case = true)]
+    pub(crate) quality_level: QualityLevelArg,
     /// Folder of recordings, the only one that clients can write to and read from; by default `endless/recordings` where the
     /// platform keeps data.
     #[arg(long, value_name = "DIR")]
     pub(crate) recordings: Option<PathBuf>,
+}
+
+/// CARLA's, by its own names.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+#[value(rename_all = "PascalCase")]
+pub(crate) enum QualityLevelArg {
+    Low,
+    Epic,
 }
 
 #[derive(Debug, Args)]

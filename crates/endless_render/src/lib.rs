@@ -96,5 +96,5 @@ pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
     RigidVelocity, StaticScene, SurfacePoint,
 };
-pub use settings::{Gathering, RenderSettings};
+pub use settings::{Gathering, PixelSamples, RenderSettings};
 pub use silhouette::ObjectShape;

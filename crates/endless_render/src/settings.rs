@@ -34,6 +34,16 @@ impl Default for Gathering {
     }
 }
 
+/// Where what stands still is looked at in a pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PixelSamples {
+    /// At four points, in the light of all of the sun's disc; by rays where surfaces and shadows end, by interpolation elsewhere.
+    #[default]
+    Four,
+    /// At its centre, in the light of one point of the sun: edges of things and shadows have steps.
+    Centre,
+}
+
 /// Settings of a camera's picture of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RenderSettings {
@@ -47,6 +57,8 @@ pub struct RenderSettings {
     pub size: ImageSize,
     /// Where light that bounced is gathered.
     pub gathering: Gathering,
+    /// Where what stands still is looked at in a pixel.
+    pub samples: PixelSamples,
     /// Which of many equal patterns the gathering rays follow: pictures that differ in nothing else differ by the grain
     /// that is left.
     pub pattern: u32,
@@ -69,6 +81,7 @@ impl RenderSettings {
             randomised: None,
             size,
             gathering: Gathering::default(),
+            samples: PixelSamples::default(),
             pattern: 0,
             look: CameraLook::CLEAN,
             fps: 30.0,

@@ -26,6 +26,7 @@ mod map_objects;
 mod methods;
 mod moving;
 mod obstacles;
+mod quality_level;
 mod recorder;
 mod scenery;
 mod sensing;
@@ -54,6 +55,7 @@ use std::thread;
 use world::World;
 
 pub use error::ServerError;
+pub use quality_level::QualityLevel;
 pub use version::VERSION;
 
 /// Requests that wait.
@@ -70,6 +72,8 @@ pub struct ServerSettings {
     pub map: String,
     /// Of all that is drawn.
     pub seed: u64,
+    /// How good the pictures of moving cameras are.
+    pub quality: QualityLevel,
     /// Where recordings are kept; none: nothing can be recorded or replayed.
     pub recordings: Option<PathBuf>,
 }
@@ -100,7 +104,7 @@ impl Server {
         drop(both()?);
         let hub = Arc::new(StreamHub::default());
         let (sender, events) = sync_channel(QUEUE);
-        let mut world = World::new(&settings.map, settings.seed, MapShelf::new(library), Arc::clone(&hub))?;
+        let mut world = World::new(settings, MapShelf::new(library), Arc::clone(&hub))?;
         world.recordings = Recordings::new(settings.recordings.clone());
         let (rpc, streams) = both()?;
         let address = rpc.local_addr().map_err(ServerError::Thread)?;

@@ -1,11 +1,13 @@
 //! The world that clients share: an episode, how its time runs, and what measures it.
 
+use super::ServerSettings;
 use super::call_error::CallError;
 use super::drawn_boxes::DrawnBoxes;
 use super::episode::Episode;
 use super::error::ServerError;
 use super::loaded_map::MapShelf;
 use super::map_layer::MapLayer;
+use super::quality_level::QualityLevel;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
 use super::version::VERSION;
@@ -40,13 +42,19 @@ pub(super) struct World {
     /// On which clients are told to hear streams; of no meaning until it is open.
     pub(super) stream_port: u16,
     seed: u64,
+    quality: QualityLevel,
     begun: Instant,
 }
 
 impl World {
     /// With its first episode, on this map.
-    pub(super) fn new(map: &str, seed: u64, mut shelf: MapShelf, hub: Arc<StreamHub>) -> Result<Self, ServerError> {
-        let map = shelf.load(map)?;
+    pub(super) fn new(
+        settings: &ServerSettings,
+        mut shelf: MapShelf,
+        hub: Arc<StreamHub>,
+    ) -> Result<Self, ServerError> {
+        let &ServerSettings { seed, quality, .. } = settings;
+        let map = shelf.load(&settings.map)?;
         // Made now rather than while somebody waits.
         let _ = map.loaded.roads.navigation();
         let blueprints = BlueprintLibrary::new();
@@ -56,13 +64,14 @@ impl World {
             blueprints,
             settings: EpisodeSettings::default(),
             standing: Arc::default(),
-            sensing: Sensing::new(),
+            sensing: Sensing::new(quality),
             drawn_boxes: DrawnBoxes::default(),
             recordings: Recordings::new(None),
             hub,
             traffic_managers: BTreeMap::new(),
             ticking: None,
             seed,
+            quality,
             stream_port: 0,
             begun: Instant::now(),
         };
@@ -132,7 +141,7 @@ impl World {
         }
         self.episode = next;
         self.recordings.end();
-        self.sensing = Sensing::new();
+        self.sensing = Sensing::new(self.quality);
         Ok(())
     }
 

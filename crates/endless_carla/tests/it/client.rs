@@ -1,7 +1,7 @@
 //! The least that a client is, and a server for all tests of a file.
 
 use endless_carla::rpc::read_value;
-use endless_carla::server::{Server, ServerSettings};
+use endless_carla::server::{QualityLevel, Server, ServerSettings};
 use endless_carla::wire::{
     Actor, ActorAttributeValue, ActorDefinition, ActorDescription, Bytes, EpisodeSettings, Transform, Wire,
 };
@@ -24,7 +24,8 @@ pub(crate) fn serve() -> SocketAddr {
 /// The same with a folder for recordings.
 pub(crate) fn serve_recording(recordings: Option<PathBuf>) -> SocketAddr {
     let bind = IpAddr::V4(Ipv4Addr::LOCALHOST);
-    let settings = ServerSettings { bind, port: 0, map: MAP.to_owned(), seed: 0, recordings };
+    let settings =
+        ServerSettings { bind, port: 0, map: MAP.to_owned(), seed: 0, quality: QualityLevel::Epic, recordings };
     let server = Server::bind(&settings, MapLibrary::builtin()).expect("ports are free");
     let address = server.address();
     thread::spawn(|| server.run());

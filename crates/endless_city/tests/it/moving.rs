@@ -2,7 +2,7 @@
 
 use crate::exactness::{LoadedTown, shared};
 use endless_render::{
-    CameraBake, FrameScene, IndirectLight, MovingCamera, NeighbourFrame, NeighbourFrames, RenderSettings,
+    CameraBake, FrameScene, IndirectLight, MovingCamera, NeighbourFrame, NeighbourFrames, PixelSamples, RenderSettings,
 };
 use endless_world::{
     CameraLook, CameraSite, FlowPixel, FlowTarget, ImageSize, PinholeCamera, SensorFrame, SensorLayers, TimeOfDay,
@@ -52,6 +52,35 @@ fn a_camera_that_stands_sees_what_a_fixed_one_sees() {
     }
     // Light that bounced is all that differs.
     assert!(all.iter().sum::<f64>() < 2.0 * all.len() as f64, "{all:?}");
+}
+
+#[test]
+fn pictures_of_pixels_centres_alone_differ_at_edges_only() {
+    let LoadedTown { town, scene } = shared("Town02");
+    let still = scene.static_scene();
+    for (camera, weather, time) in [(0, Weather::ClearSky, TimeOfDay::Afternoon), (2, Weather::Rainy, TimeOfDay::Night)]
+    {
+        let site = &town.cameras[camera];
+        let (models, state) = shared("Town02").staged(site, camera as u64, time == TimeOfDay::Night);
+        let frame = models.frame_scene(&state);
+        let (four, here) = (settings(weather, time), PinholeCamera::new(site, SIZE));
+        let centre = RenderSettings { samples: PixelSamples::Centre, ..four.clone() };
+        let render = |settings: &RenderSettings| {
+            let way = [here.clone(), here.clone()];
+            MovingCamera::new(still, settings, IndirectLight::Probes, &way).render(still, &frame, &here)
+        };
+        let (four, centre) = (render(&four), render(&centre));
+        // Labels are those of the centres.
+        assert_eq!(centre.depth, four.depth, "{weather} {time}");
+        assert_eq!(centre.instance, four.instance, "{weather} {time}");
+        assert_eq!(centre.normals, four.normals, "{weather} {time}");
+        let off = difference(&centre, &four);
+        let pixels = centre.rgb.data.iter().zip(&four.rgb.data);
+        let alike = pixels.filter(|(a, b)| (0..3).all(|k| a[k].abs_diff(b[k]) <= 2)).count();
+        println!("{weather} {time}: {off:.2} of 255, {alike} pixels alike of {}", centre.rgb.data.len());
+        assert!((0.1..6.0).contains(&off), "{weather} {time}: {off}");
+        assert!(alike * 3 > centre.rgb.data.len() * 2, "{weather} {time}: {alike}");
+    }
 }
 
 /// A camera a little further on its way.

@@ -64,9 +64,10 @@ impl SparseRow<'_> {
     /// The pixels of the row near the edge of a shadow, leaves left out: those whose samples have asked one by one.
     fn near_shadows_edge(&self, sun: &Sun) -> Vec<PenumbraPixel> {
         let mut found = Vec::new();
+        let Some(edges) = self.edges else { return found };
         for first in (0..self.centres.len()).step_by(8) {
             let pixels = first..(first + 8).min(self.centres.len());
-            let near = lanes(self.edges[first / 8].into()).filter(|lane| !self.centres[first + lane].is_leaf);
+            let near = lanes(edges[first / 8].into()).filter(|lane| !self.centres[first + lane].is_leaf);
             let near = near.fold(0u32, |bits, lane| bits | 1 << lane);
             if near == 0 {
                 continue;

@@ -18,16 +18,19 @@ use super::shadow_edges::ShadowEdges;
 use super::sparse_row::SparseRow;
 use super::surface_ends::SurfaceEnds;
 use crate::sampling::SAMPLES;
+use crate::settings::PixelSamples;
 
 impl BakePass<'_> {
     /// What can be told before any row is looked at alone.
     pub(super) fn trace_sparse(&self) -> SparsePrimary<'_> {
         let centres = timed("centres", || self.trace_centres());
         let light = DayLight::of(self.tracer.environment);
-        let ends = timed("ends of surfaces", || SurfaceEnds::new(self.camera, &centres, light.as_ref()));
-        let edges = timed("ends of shadows", || ShadowEdges::new(&centres, self.pixel_angle));
+        let edges = (self.settings.samples == PixelSamples::Four).then(|| Edges {
+            surfaces: timed("ends of surfaces", || SurfaceEnds::new(self.camera, &centres, light.as_ref())),
+            shadows: timed("ends of shadows", || ShadowEdges::new(&centres, self.pixel_angle)),
+        });
         self.stats.add(self.camera.size.pixels() as u64 * 2);
-        SparsePrimary { pass: self, centres, ends, edges }
+        SparsePrimary { pass: self, centres, edges }
     }
 }
 
@@ -35,8 +38,14 @@ impl BakePass<'_> {
 pub(super) struct SparsePrimary<'a> {
     pass: &'a BakePass<'a>,
     centres: Centres,
-    ends: SurfaceEnds,
-    edges: ShadowEdges,
+    /// None where the centres of pixels tell all.
+    edges: Option<Edges>,
+}
+
+/// Around which pixels' centres more must be traced.
+struct Edges {
+    surfaces: SurfaceEnds,
+    shadows: ShadowEdges,
 }
 
 /// What is kept of a row of [`PrimaryHits`](super::primary_hits::PrimaryHits): nothing seen yet.
@@ -51,13 +60,14 @@ impl SparsePrimary<'_> {
     pub(super) fn trace_row(&self, y: usize, kept: KeptRow<'_>) -> RowSurfaces {
         let mut surfaces = RowSurfaces::nothing(self.pass.width());
         let (hits, normals) = (&mut surfaces.hits[..], &mut surfaces.normals[..]);
-        let (centres, edges) = (self.centres.row(y), self.edges.row(y));
+        let centres = self.centres.row(y);
+        let edges = self.edges.as_ref().map(|edges| edges.shadows.row(y));
         let KeptRow { distances, sun_free, uniform } = kept;
         let row_at = |y: usize| (y < self.centres.height).then(|| self.centres.row(y));
         let beside = [y.checked_sub(1).and_then(row_at), row_at(y + 1)];
         let mut row =
             SparseRow { pass: self.pass, y, centres, beside, edges, distances, hits, normals, sun_free, uniform };
-        row.fill(|x| self.ends.known(x, y));
+        row.fill(|x| self.edges.as_ref().map_or([true; SAMPLES], |edges| edges.surfaces.known(x, y)));
         surfaces
     }
 }

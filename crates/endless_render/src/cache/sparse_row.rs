@@ -20,8 +20,8 @@ pub(super) struct SparseRow<'a> {
     pub(super) centres: &'a [Centre],
     /// Of the rows above and below, if there are such.
     pub(super) beside: [Option<&'a [Centre]>; 2],
-    /// Which are near the edge of a shadow: of eight that follow each other, a bit each.
-    pub(super) edges: &'a [u8],
+    /// Which are near the edge of a shadow: of eight that follow each other, a bit each. None where edges have steps.
+    pub(super) edges: Option<&'a [u8]>,
     pub(super) distances: &'a mut [[f32; SAMPLES]],
     pub(super) hits: &'a mut [[PackedHit; SAMPLES]],
     pub(super) normals: &'a mut [[PackedNormals; SAMPLES]],
@@ -203,7 +203,7 @@ impl SparseRow<'_> {
 
     fn trace(&mut self, bundle: &mut SampleBundle) {
         let pass = self.pass;
-        let known = RowCentres { centres: self.centres, beside: self.beside, edges: self.edges };
+        let known = RowCentres { centres: self.centres, beside: self.beside, edges: self.edges.unwrap_or_default() };
         bundle.trace(pass, known, |x, sample, seen| {
             let Some(seen) = seen else {
                 self.uniform[x] = false;

@@ -103,7 +103,9 @@ impl CameraView {
         };
         let mut moving = match self.way.take() {
             Some(Way::Moving(moving)) => moving,
-            _ => Box::new(RoamingCamera::new(&render_settings())),
+            _ => {
+                Box::new(RoamingCamera::new(&RenderSettings { samples: light.quality.samples(), ..render_settings() }))
+            }
         };
         *moving.layers_mut() = layers;
         let seen = moving.render(light.still, frame, around, &camera, neighbours, light.step_s as f32);

@@ -8,6 +8,7 @@ use super::switched_lamps::{LampFactors, SwitchedLamps};
 use super::town_light::{Light, TownLight};
 use crate::blueprint::SensorKind;
 use crate::server::loaded_map::LoadedMap;
+use crate::server::quality_level::QualityLevel;
 use crate::stream::{Delivery, StreamHub};
 use endless_render::{FrameScene, RayCaster};
 use endless_world::{SceneWeather, SensorLayers};
@@ -34,6 +35,7 @@ pub(super) struct Look {
     pub(super) lamps: LampFactors,
     pub(super) map: Arc<LoadedMap>,
     pub(super) seed: u64,
+    pub(super) quality: QualityLevel,
     /// Since the look before, seconds.
     pub(super) step_s: f64,
     pub(super) sensors: Vec<Measurement>,
@@ -42,7 +44,7 @@ pub(super) struct Look {
 impl Views {
     /// Looks, and sends what is seen.
     pub(super) fn look(&mut self, look: Look, hub: &StreamHub, delivery: Delivery) {
-        let Look { frame, weather, lamps, map, seed, step_s, sensors } = look;
+        let Look { frame, weather, lamps, map, seed, quality, step_s, sensors } = look;
         if self.map.as_ref().is_none_or(|known| !Arc::ptr_eq(known, &map)) {
             // Other things stand in it.
             self.cameras.values_mut().for_each(CameraView::forget_town);
@@ -59,7 +61,7 @@ impl Views {
         let caster = RayCaster::new(still, &frame);
         let swept: Vec<(u32, Vec<u8>)> =
             others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather))).collect();
-        let light = Light { still, weather, seed, step_s };
+        let light = Light { still, weather, seed, quality, step_s };
         let alike = look_alike(cameras);
         let at_once = alike.len() < rayon::current_num_threads();
         let views: Vec<(CameraView, Making, Vec<Measurement>)> = alike

@@ -17,6 +17,7 @@ mod town_light;
 
 use super::actor::{Body, SensorModel, ServerActor};
 use super::episode::Episode;
+use super::quality_level::QualityLevel;
 use super::weather::scene_weather;
 use crate::frames;
 use crate::instance::instance_id;
@@ -34,14 +35,15 @@ use std::sync::Arc;
 pub(super) struct Sensing {
     scene: ActorScene,
     looking: Looking,
+    quality: QualityLevel,
     /// Time since the last frame at which sensors looked, seconds.
     passed_s: f64,
 }
 
 impl Sensing {
     /// Of an episode that begins.
-    pub(super) fn new() -> Self {
-        Self { scene: ActorScene::default(), looking: Looking::new(), passed_s: 0.0 }
+    pub(super) fn new(quality: QualityLevel) -> Self {
+        Self { scene: ActorScene::default(), looking: Looking::new(), quality, passed_s: 0.0 }
     }
 
     /// Measures with those sensors that somebody hears and whose time has come, and sends it; with those that look at the scene
@@ -78,6 +80,7 @@ impl Sensing {
             lamps: episode.lamps.factors(),
             map: Arc::clone(&episode.map),
             seed: episode.seed,
+            quality: self.quality,
             step_s: std::mem::take(&mut self.passed_s),
             sensors: looking,
         };

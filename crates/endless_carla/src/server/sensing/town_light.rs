@@ -1,6 +1,7 @@
 //! Sun, sky and lamps of an episode, and what bounces off its streets: the same for all its cameras.
 
 use crate::server::loaded_map::LoadedMap;
+use crate::server::quality_level::QualityLevel;
 use endless_render::{LocalLight, RenderSettings, RoamingLight, StaticScene};
 use endless_world::math::ln;
 use endless_world::{ImageSize, SceneWeather, SensorPose, TimeOfDay, Weather};
@@ -11,6 +12,7 @@ pub(super) struct Light<'a> {
     pub(super) still: &'a StaticScene,
     pub(super) weather: SceneWeather,
     pub(super) seed: u64,
+    pub(super) quality: QualityLevel,
     /// Since the frame before, seconds.
     pub(super) step_s: f64,
 }
