@@ -210,6 +210,10 @@ impl Occupancy {
                 return;
             }
             if (filters || o.filters) && filtering::is_beside(across, &o.across, gap) {
+                // Who reaches on to my next lane may be behind me all the same, and lets me go first.
+                if (base + o.middle(), i) <= (0.0, o.vehicle) {
+                    return;
+                }
                 found.beside = found.beside.filter(|b| b.gap <= gap).or(Some(leader));
                 return;
             }

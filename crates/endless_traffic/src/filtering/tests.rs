@@ -137,6 +137,12 @@ fn who_passes_sees_the_queue_as_beside_and_the_queue_lets_it_go_first() {
     let [rider, car] = [0, 1].map(|i| seen(&vehicles, i));
     assert!(rider.ahead.is_none() && rider.beside.is_none(), "{rider:?}");
     assert!(car.ahead.is_none() && car.beside.is_some_and(|beside| beside.gap < 0.0), "{car:?}");
+    // The car's front is over the line and the rider is still before it: it goes first all the same.
+    (vehicles[1].s, vehicles[0].s) = (198.2, 198.8);
+    let [rider, car] = [0, 1].map(|i| seen(&vehicles, i));
+    assert!(rider.ahead.is_none() && rider.beside.is_none(), "{rider:?}");
+    assert!(car.beside.is_some_and(|beside| beside.vehicle == 0), "{car:?}");
+    (vehicles[1].s, vehicles[0].s) = (190.0, 191.0);
     // In the lane beside somebody sees it, too.
     vehicles.push(vehicle(&roads, 1, 0, 180.0, 5.0));
     assert!(seen(&vehicles, 2).ahead.is_some_and(|ahead| ahead.vehicle == 0));
