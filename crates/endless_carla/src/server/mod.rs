@@ -31,6 +31,7 @@ mod recorder;
 mod scenery;
 mod sensing;
 mod sensor_model;
+mod settings;
 mod signals;
 mod spawn;
 mod spring_arm;
@@ -47,8 +48,7 @@ use endless_interchange::MapLibrary;
 use engine::Engine;
 use loaded_map::MapShelf;
 use recorder::Recordings;
-use std::net::{IpAddr, SocketAddr, TcpListener};
-use std::path::PathBuf;
+use std::net::{SocketAddr, TcpListener};
 use std::sync::Arc;
 use std::sync::mpsc::sync_channel;
 use std::thread;
@@ -56,27 +56,11 @@ use world::World;
 
 pub use error::ServerError;
 pub use quality_level::QualityLevel;
+pub use settings::ServerSettings;
 pub use version::VERSION;
 
 /// Requests that wait.
 const QUEUE: usize = 4096;
-
-/// How a server runs.
-#[derive(Debug, Clone)]
-pub struct ServerSettings {
-    /// Who may connect: this machine alone, unless another address is given.
-    pub bind: IpAddr,
-    /// Of requests; the next one is that of streams. 0 for any.
-    pub port: u16,
-    /// The first map.
-    pub map: String,
-    /// Of all that is drawn.
-    pub seed: u64,
-    /// How good the pictures of moving cameras are.
-    pub quality: QualityLevel,
-    /// Where recordings are kept; none: nothing can be recorded or replayed.
-    pub recordings: Option<PathBuf>,
-}
 
 /// A server that has its ports and its first map.
 pub struct Server {

@@ -1,6 +1,5 @@
 //! The world that clients share: an episode, how its time runs, and what measures it.
 
-use super::ServerSettings;
 use super::call_error::CallError;
 use super::drawn_boxes::DrawnBoxes;
 use super::episode::Episode;
@@ -10,6 +9,7 @@ use super::map_layer::MapLayer;
 use super::quality_level::QualityLevel;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
+use super::settings::ServerSettings;
 use super::version::VERSION;
 use crate::blueprint::BlueprintLibrary;
 use crate::rpc::{Answer, ConnectionId, StandingAnswers};
