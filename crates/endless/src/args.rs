@@ -9,8 +9,9 @@ use crate::{
 use bytesize::ByteSize;
 
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use endless_carla::client::Address;
+use endless_carla::server::QualityLevel;
 use endless_interchange::TrajectoryFormat;
 use endless_world::{DrivingSide, Region, SignalControl, TimeOfDay, Weather};
 use std::path::PathBuf;
@@ -65,19 +66,12 @@ pub(crate) struct ServeArgs {
     pub(crate) seed: u64,
     /// How good the pictures of moving cameras are: Low leaves steps at edges, and is faster.
     #[arg(long, value_name = "LEVEL", default_value = "Epic", ignore_case = true)]
-    pub(crate) quality_level: QualityLevelArg,
+    #[arg(value_parser = words(QualityLevel::ALL, QualityLevel::name))]
+    pub(crate) quality_level: QualityLevel,
     /// Folder of recordings, the only one that clients can write to and read from; by default `endless/recordings` where the
     /// platform keeps data.
     #[arg(long, value_name = "DIR")]
     pub(crate) recordings: Option<PathBuf>,
-}
-
-/// CARLA's, by its own names.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-#[value(rename_all = "PascalCase")]
-pub(crate) enum QualityLevelArg {
-    Low,
-    Epic,
 }
 
 #[derive(Debug, Args)]
@@ -358,7 +352,7 @@ fn words<T: Copy + Send + Sync + 'static>(
     name: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(all.iter().map(|&word| name(word)))
-        .map(move |given| all.iter().copied().find(|&word| name(word) == given).unwrap_or(all[0]))
+        .map(move |given| all.iter().copied().find(|&word| name(word).eq_ignore_ascii_case(&given)).unwrap_or(all[0]))
 }
 
 /// A time that can be waited for.

@@ -1,23 +1,19 @@
 //! `endless serve`: our city as a CARLA server.
 
-use crate::args::{QualityLevelArg, ServeArgs};
+use crate::args::ServeArgs;
 use anyhow::Result;
-use endless_carla::server::{QualityLevel, Server, ServerSettings, VERSION};
+use endless_carla::server::{Server, ServerSettings, VERSION};
 use endless_interchange::{MapLibrary, user_data_folder};
 use std::process::ExitCode;
 
 pub(crate) fn run(library: MapLibrary, args: &ServeArgs) -> Result<ExitCode> {
     let recordings = args.recordings.clone().or_else(|| user_data_folder("recordings"));
-    let quality = match args.quality_level {
-        QualityLevelArg::Low => QualityLevel::Low,
-        QualityLevelArg::Epic => QualityLevel::Epic,
-    };
     let settings = ServerSettings {
         bind: args.bind,
         port: args.port,
         map: args.map.clone(),
         seed: args.seed,
-        quality,
+        quality: args.quality_level,
         recordings,
     };
     let server = Server::bind(&settings, library)?;

@@ -195,10 +195,10 @@ impl Occupancy {
         let filters = me.filtering.is_some();
         // Beyond a junction is another queue.
         let mut same_queue = true;
-        let mut consider = |o: &Occupant, base: f64, position: Option<f64>, across: &Across, same_queue: bool| {
+        let mut consider = |o: &Occupant, base: f64, is_here: bool, across: &Across, same_queue: bool| {
             // On the same lane, what is further on is ahead; side by side, the lower number leads.
-            let ahead = position.is_none_or(|s| (o.middle(), i) > (s, o.vehicle));
-            if o.vehicle == i || !ahead {
+            let is_further_on = (base + o.middle(), i) > (0.0, o.vehicle);
+            if o.vehicle == i || is_here && !is_further_on {
                 return;
             }
             let gap = base + o.rear - me.half_length;
@@ -211,10 +211,9 @@ impl Occupancy {
             }
             if (filters || o.filters) && filtering::is_beside(across, &o.across, gap) {
                 // Who reaches on to my next lane may be behind me all the same, and lets me go first.
-                if (base + o.middle(), i) <= (0.0, o.vehicle) {
-                    return;
+                if is_further_on {
+                    found.beside = found.beside.filter(|b| b.gap <= gap).or(Some(leader));
                 }
-                found.beside = found.beside.filter(|b| b.gap <= gap).or(Some(leader));
                 return;
             }
             found.ahead = found.ahead.filter(|b| b.gap <= gap).or(Some(leader));
@@ -226,27 +225,27 @@ impl Occupancy {
             if base > reach {
                 break;
             }
-            let position = (k == 0).then_some(me.s);
+            let is_here = k == 0;
             same_queue &= roads.table(lane).junction.is_none();
             for o in self.on(lane) {
-                consider(o, base, position, &across, same_queue);
+                consider(o, base, is_here, &across, same_queue);
             }
             for sibling in &roads.table(lane).siblings {
                 for o in self.on(sibling.lane).iter().filter(|o| o.rear < sibling.until) {
-                    consider(o, base, position, &Across::WHOLE, false);
+                    consider(o, base, is_here, &Across::WHOLE, false);
                 }
             }
             if let Some(beside) = filtering::lane_beside(roads, me, lane) {
-                let base = if k == 0 { -beside.s } else { base };
+                let base = if is_here { -beside.s } else { base };
                 for o in self.on(beside.lane) {
-                    consider(o, base, position.map(|_| beside.s), &beside.seen(across), same_queue);
+                    consider(o, base, is_here, &beside.seen(across), same_queue);
                 }
             }
         }
         if let Some(shift) = me.shift {
-            let s = me.s + shift.from_minus_here;
+            let base = -(me.s + shift.from_minus_here);
             for o in self.on(shift.from).iter().filter(|o| o.rear < shift.clear_from_m) {
-                consider(o, -s, Some(s), &Across::WHOLE, false);
+                consider(o, base, true, &Across::WHOLE, false);
             }
         }
         found

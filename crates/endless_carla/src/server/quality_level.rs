@@ -14,6 +14,17 @@ pub enum QualityLevel {
 }
 
 impl QualityLevel {
+    /// All of them.
+    pub const ALL: &[Self] = &[Self::Low, Self::Epic];
+
+    /// As CARLA writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Low => "Low",
+            Self::Epic => "Epic",
+        }
+    }
+
     pub(super) fn samples(self) -> PixelSamples {
         match self {
             Self::Low => PixelSamples::Centre,
