@@ -400,7 +400,10 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
             let stops = aspect.is_some_and(|aspect| aspect != SignalAspect::Green);
             // Who still stands when the light is red has come too late.
             let late = aspect == Some(SignalAspect::Red) && vehicle.speed < 0.5;
-            let waits_to_clear = roads.network.lane(right_of_way.lanes[0]).turn == Turn::Left && distance < 3.0;
+            // Who turns left may go in the yellow after waiting for those who come towards it.
+            let waits_to_clear = aspect == Some(SignalAspect::Yellow)
+                && roads.network.lane(right_of_way.lanes[0]).turn == Turn::Left
+                && distance < 3.0;
             !(late || (stops && distance > stopping_m(vehicle.speed) && !waits_to_clear))
         });
         vehicles[i].rights_of_way = rights_of_way;
