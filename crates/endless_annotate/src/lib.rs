@@ -76,7 +76,7 @@ pub use map_features::{
 };
 pub use object::{ObjectRecord, SceneObjects};
 pub use ridden::WithRider;
-pub use rle::mask_pixels;
+pub use rle::{mask_pixels, visible_mask};
 pub use scene_frame::{LightState, SceneFrame, SignalRecord, SunState, WeatherState, count_by_class};
 pub use shapes::{ObjectShapes, Spatial};
 pub use vehicle_events::{BodySize, CollisionEvent, CollisionSensor, LaneInvasionEvent, LaneInvasionSensor};

@@ -3,6 +3,11 @@
 use crate::PixelBox;
 use endless_world::{Image, ImageSize, InstanceId, InstancePixel};
 
+/// The visible pixels of an object, all in this box, as COCO's compressed run lengths.
+pub fn visible_mask(instance: &Image<InstancePixel>, id: InstanceId, within: PixelBox) -> String {
+    mask(instance, id, within, &[])
+}
+
 /// The mask of an object: its pixels in an image and some others, all in a box; others by row-major index.
 pub(crate) fn mask(instance: &Image<InstancePixel>, id: InstanceId, within: PixelBox, others: &[u32]) -> String {
     let (width, height) = (instance.size.width, instance.size.height);

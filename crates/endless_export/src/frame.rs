@@ -1,0 +1,99 @@
+//! One labelled frame of a camera.
+
+use crate::{ClassMapping, ExportError, Sequence};
+use endless_annotate::{FrameObjects, ObjectRecord};
+use endless_dataset::{DatasetError, Layer, StoredImage, instance_from_rgb, read_rgb};
+use endless_world::{Image, InstancePixel};
+
+/// An object of a frame that is exported.
+#[derive(Debug, Clone)]
+pub struct Label {
+    /// Place of its class in the mapping.
+    pub class: usize,
+    /// Its line in `objects.jsonl`.
+    pub object: ObjectRecord,
+}
+
+impl Label {
+    /// Share of its pixels that can be seen; 1 where nothing tells it.
+    pub fn visibility(&self) -> f64 {
+        self.object.amodal.as_ref().map_or(1.0, |amodal| amodal.visibility)
+    }
+}
+
+/// A frame of a camera with the objects that are exported.
+#[derive(Debug)]
+pub struct LabelledFrame<'a> {
+    /// The camera.
+    pub sequence: &'a Sequence,
+    /// Place among the exported frames of its sequence, from 0.
+    pub place: usize,
+    /// Number of the scene's frame.
+    pub frame: u32,
+    /// Seconds since the video's first frame.
+    pub time_s: f64,
+    /// Objects, by id.
+    pub labels: Vec<Label>,
+}
+
+impl<'a> LabelledFrame<'a> {
+    /// A line of `objects.jsonl` with the objects that are of a class of the mapping and to be seen enough.
+    pub fn new(
+        sequence: &'a Sequence,
+        place: usize,
+        line: FrameObjects,
+        classes: &ClassMapping,
+        min_visibility: f64,
+    ) -> Self {
+        let label = |object: ObjectRecord| Some(Label { class: classes.place(object.class)?, object });
+        let mut labels: Vec<Label> = line.objects.into_iter().filter_map(label).collect();
+        labels.retain(|label| label.visibility() >= min_visibility);
+        Self { sequence, place, frame: line.frame, time_s: line.time_s, labels }
+    }
+
+    /// A name that no other frame of the dataset has, without an ending.
+    pub fn name(&self) -> String {
+        self.sequence.frame_name(self.frame)
+    }
+
+    /// A stored image of it.
+    ///
+    /// # Errors
+    /// When it cannot be read or is not of the camera's size.
+    pub fn read(&self, layer: Layer) -> Result<StoredImage<'static>, ExportError> {
+        let path = self.sequence.image(layer, self.frame);
+        let image = read_rgb(&path, layer.format(self.sequence.output.rgb_format))?;
+        if image.size() != self.sequence.output.size {
+            let reason = format!("is {} instead of {}", image.size(), self.sequence.output.size);
+            return Err(DatasetError::malformed(path, reason).into());
+        }
+        Ok(image)
+    }
+
+    /// Which object every pixel shows.
+    ///
+    /// # Errors
+    /// When the instance image cannot be read, or a label's box is not in it.
+    pub fn instance(&self) -> Result<Image<InstancePixel>, ExportError> {
+        let path = || self.sequence.image(Layer::Instance, self.frame);
+        let stored = self.read(Layer::Instance)?;
+        let rgb = stored.rgb8().map_err(|reason| DatasetError::malformed(path(), reason))?;
+        let image = instance_from_rgb(rgb)
+            .map_err(|tag| DatasetError::malformed(path(), format!("has the tag {tag}: they end at 28")))?;
+        let size = image.size;
+        let inside = |label: &Label| {
+            let b = label.object.bbox;
+            let ends =
+                |from: u32, length: u32, end: u32| length > 0 && from.checked_add(length).is_some_and(|to| to <= end);
+            ends(b.x, b.w, size.width) && ends(b.y, b.h, size.height)
+        };
+        match self.labels.iter().find(|label| !inside(label)) {
+            None => Ok(image),
+            Some(label) => {
+                let reason =
+                    format!("frame {}: the box of object {} is not in the picture", self.frame, label.object.id);
+                Err(DatasetError::malformed(self.sequence.files.objects(), reason).into())
+            }
+        }
+    }
+}
