@@ -12,6 +12,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use endless_carla::client::Address;
 use endless_carla::server::QualityLevel;
+use endless_export::{Format, SplitBy, SplitShares};
 use endless_interchange::TrajectoryFormat;
 use endless_world::{DrivingSide, Region, SignalControl, TimeOfDay, Weather};
 use std::path::PathBuf;
@@ -36,6 +37,8 @@ pub(crate) enum Command {
     Generate(Box<GenerateArgs>),
     /// Check a dataset: read every file and list all errors.
     Check(CheckArgs),
+    /// Write a dataset in a format of others: COCO, YOLO, MOTChallenge, KITTI and more.
+    Export(ExportArgs),
     /// Time the whole pipeline on a fixed recipe.
     Bench(BenchArgs),
     /// Print the JSON schema of recipes.
@@ -284,6 +287,44 @@ pub(crate) struct CheckArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct ExportArgs {
+    /// Folder of the dataset. Videos that are not complete are left out.
+    #[arg(required_unless_present = "list")]
+    pub(crate) out: Option<PathBuf>,
+    /// The format; `--list` tells of each.
+    #[arg(long, value_name = "FORMAT", required_unless_present = "list", hide_possible_values = true)]
+    #[arg(value_parser = words(Format::ALL, Format::name))]
+    pub(crate) format: Option<Format>,
+    /// Folder to write. The same command goes on with an export that was interrupted.
+    #[arg(long, value_name = "DIR", required_unless_present = "list")]
+    pub(crate) to: Option<PathBuf>,
+    /// List the formats with the layers that each needs.
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// Parts and the share of each [default: train=0.8,val=0.2, and all for training where there is one video].
+    #[arg(long, value_name = "NAME=SHARE,...")]
+    pub(crate) split: Option<SplitShares>,
+    /// What stays together in a part. A scene is never divided.
+    #[arg(long, value_name = "WORD", default_value = "video", value_parser = words(SplitBy::ALL, SplitBy::name))]
+    pub(crate) by: SplitBy,
+    /// Classes of the export: `coco` for COCO's names and ids, or a TOML file that maps classes [default: the dataset's].
+    #[arg(long, value_name = "coco|FILE.toml")]
+    pub(crate) classes: Option<PathBuf>,
+    /// Leave out objects of which less can be seen.
+    #[arg(long, value_name = "0..1", default_value_t = 0.0, value_parser = share)]
+    pub(crate) min_visibility: f64,
+    /// Of the frames of each camera take every so many.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) stride: u32,
+    /// Copy images.
+    #[arg(long)]
+    pub(crate) copy: bool,
+    /// Link to the dataset's images [default].
+    #[arg(long, conflicts_with = "copy")]
+    pub(crate) link: bool,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
     /// Seconds of video to record [default: 2; with --scaling 0.5, and 1 a thread where threads grow].
     #[arg(long, value_name = "S")]
@@ -306,6 +347,9 @@ pub(crate) struct BenchArgs {
     /// Let one thing after another grow, and compare what that costs [default: all of the list].
     #[arg(long, value_name = "LIST", value_delimiter = ',', num_args = 0..=1, conflicts_with = "conditions")]
     pub(crate) scaling: Option<Vec<ScalingSeries>>,
+    /// Export a dataset to every format, and tell what each costs [default: one that is recorded for it].
+    #[arg(long, value_name = "OUT", num_args = 0..=1, conflicts_with_all = ["conditions", "scaling", "rig"])]
+    pub(crate) export: Option<Option<PathBuf>>,
     /// Towns to record; with --conditions each condition in all of them; with --scaling the first, and all where towns are
     /// compared [default: any; with --conditions one per condition].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]

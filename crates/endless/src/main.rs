@@ -7,6 +7,7 @@ mod build_info;
 mod check;
 mod cpu;
 mod exit;
+mod export;
 mod file;
 mod generate;
 mod log;
@@ -22,6 +23,7 @@ mod threads;
 
 use args::{Cli, Command};
 use clap::Parser;
+use endless_export::ExportError;
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError, SimulatorError};
 use exit::{FAILURE, INTERRUPTED, USAGE};
@@ -58,6 +60,7 @@ fn run() -> ExitCode {
     let result = match cli.command {
         Command::Generate(args) => generate::run(library, *args, threads),
         Command::Check(args) => check::run(&args, threads),
+        Command::Export(args) => on_threads(threads, || export::run(&args)),
         Command::Schema => schema::run(),
         Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args, threads),
         // One more, which answers, and waits while others render.
@@ -96,6 +99,7 @@ fn exit_code(error: &anyhow::Error) -> u8 {
 fn cannot_be_asked(error: &anyhow::Error) -> bool {
     let plan = error.downcast_ref::<GenerateError>();
     error.is::<RecipeError>()
+        || matches!(error.downcast_ref(), Some(ExportError::Split(_) | ExportError::Classes { .. }))
         || matches!(
             plan,
             Some(GenerateError::Plan(

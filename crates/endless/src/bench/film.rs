@@ -31,15 +31,27 @@ pub(super) fn draft(args: &BenchArgs) -> RecipeDraft {
 
 /// Makes a dataset, and leaves nothing of it.
 pub(super) fn film<S: Simulator + MapSource>(simulator: &S, draft: RecipeDraft, threads: usize) -> Result<Generated> {
+    film_for(simulator, draft, threads, |_out| Ok(()))
+}
+
+/// Makes a dataset for something, and leaves nothing of it.
+pub(super) fn film_for<S: Simulator + MapSource>(
+    simulator: &S,
+    draft: RecipeDraft,
+    threads: usize,
+    with: impl FnOnce(&Path) -> Result<()>,
+) -> Result<Generated> {
     let recipe = resolve_recipe(draft, simulator)?;
     let folder = std::env::current_dir()?;
     remove_leftovers(&folder)?;
     let out = folder.join(format!("{FOLDER}{}", std::process::id()));
     let options = GenerateOptions { build: this_build(), allow_other_build: false, threads, plan_only: false };
     let made = generate(simulator, &recipe, &out, &options, &SilentProgress);
+    let used = if made.is_ok() { with(&out) } else { Ok(()) };
     if out.exists() {
         fs::remove_dir_all(&out).context("cannot remove the bench's files")?;
     }
+    used?;
     Ok(made?)
 }
 

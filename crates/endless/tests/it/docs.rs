@@ -3,6 +3,7 @@
 
 use crate::program::succeed;
 use endless_dataset::{Layer, RecipeDraft, RgbFormat};
+use endless_export::Format;
 use std::{env, fs, path::PathBuf};
 
 fn document(name: &str) -> PathBuf {
@@ -25,11 +26,35 @@ fn assert_document(name: &str, expected: &str) {
 
 /// Compares what stands between `<!-- mark -->` and `<!-- /mark -->` in the README, or writes it.
 fn assert_readme(mark: &str, expected: &str) {
-    let text = fs::read_to_string(document("README.md")).expect("a README");
+    assert_between("README.md", mark, expected);
+}
+
+/// The same in any document.
+fn assert_between(name: &str, mark: &str, expected: &str) {
+    let text = fs::read_to_string(document(name)).expect("a document");
     let (begin, end) = (format!("<!-- {mark} -->\n"), format!("<!-- /{mark} -->"));
     let (before, rest) = text.split_once(&begin).expect("a beginning");
     let (_, after) = rest.split_once(&end).expect("an end");
-    assert_document("README.md", &format!("{before}{begin}{expected}{end}{after}"));
+    assert_document(name, &format!("{before}{begin}{expected}{end}{after}"));
+}
+
+#[test]
+fn the_page_of_exports_lists_all_formats() {
+    let row = |format: &Format| {
+        let entry = format.entry();
+        let layers: Vec<&str> = entry.layers.iter().map(|layer| layer.name()).collect();
+        let needs = if layers.is_empty() { "none".to_owned() } else { layers.join(", ") };
+        format!("| [`{}`](export/{}.md) | {} | {needs} |\n", format.name(), entry.page, entry.about)
+    };
+    let rows: String = Format::ALL.iter().map(row).collect();
+    assert_between("docs/export.md", "formats", &format!("| format | | layers |\n|---|---|---|\n{rows}"));
+    for format in Format::ALL {
+        assert!(
+            document(&format!("docs/export/{}.md", format.entry().page)).is_file(),
+            "{} has no page",
+            format.name()
+        );
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod bad_input;
 mod build_identity;
 mod cache;
 mod docs;
+mod export;
 mod imported_assets;
 mod imported_maps;
 mod program;
