@@ -1,9 +1,9 @@
 //! One labelled frame of a camera.
 
 use crate::{ClassMapping, ExportError, Sequence};
-use endless_annotate::{FrameObjects, ObjectRecord};
+use endless_annotate::{FrameObjects, ObjectRecord, PixelBox};
 use endless_dataset::{DatasetError, Layer, StoredImage, instance_from_rgb, read_rgb};
-use endless_world::{Image, InstancePixel};
+use endless_world::{Image, ImageSize, InstancePixel};
 
 /// An object of a frame that is exported.
 #[derive(Debug, Clone)]
@@ -38,17 +38,25 @@ pub struct LabelledFrame<'a> {
 
 impl<'a> LabelledFrame<'a> {
     /// A line of `objects.jsonl` with the objects that are of a class of the mapping and to be seen enough.
+    ///
+    /// # Errors
+    /// When a box is empty or not in the picture.
     pub fn new(
         sequence: &'a Sequence,
         place: usize,
         line: FrameObjects,
         classes: &ClassMapping,
         min_visibility: f64,
-    ) -> Self {
+    ) -> Result<Self, ExportError> {
+        let size = sequence.output.size;
+        if let Some(object) = line.objects.iter().find(|object| !boxes(object).all(|bbox| is_inside(bbox, size))) {
+            let reason = format!("frame {}: the box of object {} is not in the picture", line.frame, object.id);
+            return Err(DatasetError::malformed(sequence.files.objects(), reason).into());
+        }
         let label = |object: ObjectRecord| Some(Label { class: classes.place(object.class)?, object });
         let mut labels: Vec<Label> = line.objects.into_iter().filter_map(label).collect();
         labels.retain(|label| label.visibility() >= min_visibility);
-        Self { sequence, place, frame: line.frame, time_s: line.time_s, labels }
+        Ok(Self { sequence, place, frame: line.frame, time_s: line.time_s, labels })
     }
 
     /// A name that no other frame of the dataset has, without an ending.
@@ -73,27 +81,36 @@ impl<'a> LabelledFrame<'a> {
     /// Which object every pixel shows.
     ///
     /// # Errors
-    /// When the instance image cannot be read, or a label's box is not in it.
+    /// When the instance image cannot be read.
     pub fn instance(&self) -> Result<Image<InstancePixel>, ExportError> {
         let path = || self.sequence.image(Layer::Instance, self.frame);
         let stored = self.read(Layer::Instance)?;
         let rgb = stored.rgb8().map_err(|reason| DatasetError::malformed(path(), reason))?;
-        let image = instance_from_rgb(rgb)
-            .map_err(|tag| DatasetError::malformed(path(), format!("has the tag {tag}: they end at 28")))?;
-        let size = image.size;
-        let inside = |label: &Label| {
-            let b = label.object.bbox;
-            let ends =
-                |from: u32, length: u32, end: u32| length > 0 && from.checked_add(length).is_some_and(|to| to <= end);
-            ends(b.x, b.w, size.width) && ends(b.y, b.h, size.height)
-        };
-        match self.labels.iter().find(|label| !inside(label)) {
-            None => Ok(image),
-            Some(label) => {
-                let reason =
-                    format!("frame {}: the box of object {} is not in the picture", self.frame, label.object.id);
-                Err(DatasetError::malformed(self.sequence.files.objects(), reason).into())
-            }
-        }
+        let image = instance_from_rgb(rgb);
+        Ok(image.map_err(|tag| DatasetError::malformed(path(), format!("has the tag {tag}: they end at 28")))?)
+    }
+}
+
+/// The boxes of an object's visible pixels.
+fn boxes(object: &ObjectRecord) -> impl Iterator<Item = PixelBox> {
+    [Some(object.bbox), object.with_rider.as_ref().map(|both| both.bbox)].into_iter().flatten()
+}
+
+/// Whether a box has pixels, and all in a picture of this size.
+fn is_inside(PixelBox { x, y, w, h }: PixelBox, size: ImageSize) -> bool {
+    let ends = |from: u32, length: u32, end: u32| length > 0 && from.checked_add(length).is_some_and(|to| to <= end);
+    ends(x, w, size.width) && ends(y, h, size.height)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_lie_in_the_picture() {
+        let size = ImageSize { width: 8, height: 6 };
+        let inside = |x, y, w, h| is_inside(PixelBox { x, y, w, h }, size);
+        assert!(inside(0, 0, 8, 6) && inside(7, 5, 1, 1));
+        assert!(!inside(0, 0, 9, 6) && !inside(0, 0, 0, 1) && !inside(u32::MAX, 0, 2, 1) && !inside(3, 4, 1, 3));
     }
 }

@@ -224,6 +224,6 @@ impl<'s> FrameLine<'s> {
         if line.frame != self.frame {
             return Err(wrong(format!("has frame {} in place of frame {}", line.frame, self.frame)).into());
         }
-        Ok(LabelledFrame::new(self.sequence, self.place, line, export.classes, export.min_visibility))
+        LabelledFrame::new(self.sequence, self.place, line, export.classes, export.min_visibility)
     }
 }

@@ -1,0 +1,3 @@
+//! Integration tests of exports, in one binary: a module a subject.
+
+mod damage;
