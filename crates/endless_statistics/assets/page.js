@@ -3,16 +3,16 @@
   const all = JSON.parse(document.getElementById("charts").textContent);
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
   // After Okabe and Ito, told apart by all eyes; a class has the same colour in every chart.
-  const light_colors = ["#0072b2", "#56a4d8", "#d55e00", "#009e73", "#cc79a7", "#b8860b", "#7a5195", "#4b5563"];
-  const dark_colors = ["#4aa3df", "#9ad0f5", "#f08a4b", "#3cc79b", "#e3a3c8", "#e5c04b", "#b79ad6", "#a9b4c0"];
+  const light_colors = ["#0072b2", "#63b3e6", "#6b7280", "#009e73", "#cc79a7", "#d4a000", "#7a5195", "#d55e00"];
+  const dark_colors = ["#3d94d1", "#9ad0f5", "#9aa5b1", "#3cc79b", "#e3a3c8", "#e5c04b", "#b79ad6", "#f08a4b"];
   const of_name = { car: 0, van: 1, truck: 2, bus: 3, motorcycle: 4, bicycle: 5, rider: 6, pedestrian: 7,
-    morning: 5, afternoon: 0, night: 7 };
+    morning: 5, afternoon: 1, night: 6 };
   const style = (is_dark) => is_dark
     ? { colors: dark_colors, text: "#c3cbd4", grid: "#343b44" }
     : { colors: light_colors, text: "#3c4650", grid: "#e2e6ea" };
   const number = new Intl.NumberFormat("en-US");
   const short = new Intl.NumberFormat("en-US", { notation: "compact", maximumFractionDigits: 1 });
-  const color = (colors, series, place) => colors[(Object.hasOwn(of_name, series.name) ? of_name[series.name] : place * 2) % colors.length];
+  const color = (colors, series, place) => colors[(Object.hasOwn(of_name, series.name) ? of_name[series.name] : [0, 7, 3, 5][place % 4]) % colors.length];
   const narrow = () => window.innerWidth < 520;
 
   function config(chart, look) {
@@ -23,7 +23,7 @@
         callback: (v) => chart.percent ? v + "%" : short.format(v) } };
     const label = { stacked: chart.stacked, grid: { display: false }, border: { color: look.grid },
       title: { display: true, text: chart.label_axis, color: look.text },
-      ticks: { color: look.text, autoSkip: !chart.lying, maxRotation: chart.lying ? 0 : 60,
+      ticks: { color: look.text, autoSkip: !chart.lying, autoSkipPadding: 10, maxRotation: chart.ordered || chart.lying ? 0 : 50,
         callback(v) { const text = this.getLabelForValue(v); const most = narrow() ? 18 : 32;
           return text.length > most ? text.slice(0, most - 1) + "\u2026" : text; } } };
     return {

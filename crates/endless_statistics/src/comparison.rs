@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 /// Parts of these distributions are compared by themselves, too: each class.
 const BY_CLASS: [&str; 4] = ["side_px", "aspect_ratio", "visibility", "distance_m"];
 /// What has fewer values than this is not compared by class.
-const FEW: u64 = 30;
+const FEW: u64 = 100;
 
 /// Datasets side by side; the last is the one that the others are compared with.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -87,7 +87,7 @@ fn boxes_per_frame(tally: &Tally) -> Distribution {
     }
     let many = tally.iter().filter(|(boxes, _)| *boxes > 128).map(|(_, frames)| frames).sum();
     bins.push(("> 128".to_owned(), many));
-    let words = ["boxes_per_frame", "Boxes in a frame", "camera frames", "boxes"];
+    let words = ["boxes_per_frame", "Boxes in a frame", "camera frames", "boxes in the frame"];
     Distribution { mean: tally.mean(), ..Distribution::of_kinds(words, bins).in_order() }
 }
 

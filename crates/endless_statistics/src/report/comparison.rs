@@ -5,6 +5,8 @@ use super::format::whole;
 use super::model::{Chart, HeatMapFigure, Item, Report, Section, Series, Table};
 use crate::{Comparison, NumberRow, ShareTable, Side};
 
+/// So many kinds are shown.
+const KINDS: usize = 30;
 /// What differs by so much is called different.
 const DIFFERENT: f64 = 0.1;
 
@@ -102,7 +104,7 @@ fn chart(comparison: &Comparison, table: &ShareTable) -> Chart {
         Some(Series { name: format!("{}: {}", side.letter, side.name), values })
     };
     let distances: Vec<String> = table.distances.iter().flatten().map(|distance| format!("{distance:.3}")).collect();
-    Chart {
+    let chart = Chart {
         title: table.title.clone(),
         label_axis: table.axis.clone(),
         value_axis: format!("share of {} (%)", table.of),
@@ -112,5 +114,6 @@ fn chart(comparison: &Comparison, table: &ShareTable) -> Chart {
         ordered: table.ordered,
         percent: true,
         note: format!("distance {}", distances.join(", ")),
-    }
+    };
+    chart.without_empty_ends().largest(KINDS)
 }

@@ -26,6 +26,7 @@ struct ChartData<'a> {
     series: Vec<SeriesData<'a>>,
     stacked: bool,
     lying: bool,
+    ordered: bool,
     percent: bool,
 }
 
@@ -76,8 +77,12 @@ fn write_item<'a>(body: &mut String, item: &'a Item, charts: &mut Vec<ChartData<
     match item {
         Item::Tiles(tiles) => write_tiles(body, tiles),
         Item::Table(table) => {
-            let small = if table.columns.len() <= 3 && table.rows.len() <= 12 { "" } else { " wide" };
-            let _ = write!(body, "<figure class=\"table{small}\"><figcaption>{}</figcaption>", html(&table.title));
+            let width = match (table.columns.len(), table.rows.len()) {
+                (0..=2, _) => " narrow",
+                (3..=7, 0..=8) => "",
+                _ => " wide",
+            };
+            let _ = write!(body, "<figure class=\"table{width}\"><figcaption>{}</figcaption>", html(&table.title));
             // What is longer than a screen is unfolded on demand.
             if table.rows.len() > 24 {
                 let rows = whole(table.rows.len() as u64);
@@ -158,6 +163,7 @@ fn write_chart<'a>(body: &mut String, chart: &'a Chart, charts: &mut Vec<ChartDa
         series: chart.series.iter().map(|s| SeriesData { name: &s.name, values: &s.values }).collect(),
         stacked: chart.stacked,
         lying,
+        ordered: chart.ordered,
         percent: chart.percent,
     });
 }

@@ -103,7 +103,7 @@ fn trim_end(text: &mut String) {
 
 /// A line of eighths for quantities, a bar a line for kinds; the numbers of several series beside one another.
 fn write_chart(text: &mut String, chart: &Chart) {
-    if chart.stacked && chart.ordered && chart.labels.len() > 12 {
+    if chart.stacked && chart.ordered && (chart.labels.len() > 12 || chart.series.len() > 3) {
         return write_spark(text, chart);
     }
     let note = if chart.note.is_empty() { String::new() } else { format!(" \u{2014} {}", chart.note) };
