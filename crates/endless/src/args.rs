@@ -300,7 +300,7 @@ pub(crate) struct StatsArgs {
 pub(crate) struct CompareArgs {
     /// Folder of the first dataset.
     pub(crate) a: PathBuf,
-    /// Folder of the second dataset.
+    /// Folder of the second dataset; not needed with --coco.
     pub(crate) b: Option<PathBuf>,
     /// A dataset in COCO form: its file of detection labels. With two folders both are compared with it.
     #[arg(long, value_name = "FILE.json")]

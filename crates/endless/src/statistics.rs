@@ -30,7 +30,7 @@ pub(crate) fn stats(args: &StatsArgs) -> Result<ExitCode> {
 pub(crate) fn compare(args: &CompareArgs) -> Result<ExitCode> {
     may_be_written(&args.outputs)?;
     if args.b.is_none() && args.coco.is_none() {
-        bail!("there is nothing to compare it with: give a second folder, or --coco FILE");
+        bail!("there is nothing to compare it with: give a second folder, or --coco FILE.json");
     }
     // What is soon read is read first, so that its faults are soon told.
     let classes = args.coco_classes.as_deref().map(CocoClasses::read).transpose()?.unwrap_or_default();

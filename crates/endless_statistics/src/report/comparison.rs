@@ -16,7 +16,7 @@ impl Report {
         let sides = &comparison.sides;
         let title = sides.iter().map(|side| side.name.as_str()).collect::<Vec<_>>().join(" and ");
         let subtitles = sides.iter().map(|side| format!("{}: {}", side.letter, subtitle(&side.statistics)));
-        let mut sections = vec![overview(comparison), distances(comparison)];
+        let mut sections = vec![overview(comparison)];
         let (different, alike): (Vec<&ShareTable>, Vec<&ShareTable>) = comparison
             .distributions
             .iter()
@@ -69,33 +69,32 @@ fn overview(comparison: &Comparison) -> Section {
         items.push(Item::List(comparison.hints.clone()));
     }
     items.push(Item::Table(table));
+    items.push(Item::Table(distances(comparison)));
     let counted = comparison.classes_counted_as.iter().map(|(class, as_class)| format!("{class} as {as_class}"));
     let counted: Vec<String> = counted.collect();
-    let note = match counted.is_empty() {
-        true => String::new(),
-        false => {
-            format!("Not all sides tell these classes apart, so they are counted as others: {}.", counted.join(", "))
-        }
-    };
+    let mut note = "Distances are total variation: the share of one side that would have to be of another kind to be as the other. \
+                    0 is the same, 1 has nothing in common. A few videos differ from others by chance alone."
+        .to_owned();
+    if !counted.is_empty() {
+        note +=
+            &format!(" Not all sides tell these classes apart, so they are counted as others: {}.", counted.join(", "));
+    }
     Section { title: "Overview".into(), note, items }
 }
 
-fn distances(comparison: &Comparison) -> Section {
-    let Some((last, others)) = comparison.sides.split_last() else { return Section::default() };
+fn distances(comparison: &Comparison) -> Table {
+    let Some((last, others)) = comparison.sides.split_last() else { return Table::default() };
     let heads = others.iter().map(|side| format!("{} from {}", side.letter, last.letter));
     let row = |table: &ShareTable| {
         let cell = |distance: &Option<f64>| distance.map_or_else(|| "\u{2013}".into(), |d| format!("{d:.3}"));
         [table.title.clone(), table.of.to_owned()].into_iter().chain(table.distances.iter().map(cell)).collect()
     };
-    let table = Table {
-        title: "Distances".into(),
+    Table {
+        title: "Distances, the most different first".into(),
         columns: ["distribution", "of"].map(String::from).into_iter().chain(heads).collect(),
         rows: comparison.distributions.iter().map(row).collect(),
         sums: 0,
-    };
-    let note = "Total variation distance: the share of one side that would have to be of another kind to be as the other. 0 is \
-                the same, 1 has nothing in common. A few videos differ from others by chance alone.";
-    Section { title: "How different they are".into(), note: note.into(), items: vec![Item::Table(table)] }
+    }
 }
 
 fn chart(comparison: &Comparison, table: &ShareTable) -> Chart {

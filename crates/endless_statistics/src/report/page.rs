@@ -79,7 +79,7 @@ fn write_item<'a>(body: &mut String, item: &'a Item, charts: &mut Vec<ChartData<
         Item::Table(table) => {
             let width = match (table.columns.len(), table.rows.len()) {
                 (0..=2, _) => " narrow",
-                (3..=7, 0..=8) => "",
+                (3..=4, _) | (5..=6, 0..=8) => " half",
                 _ => " wide",
             };
             let _ = write!(body, "<figure class=\"table{width}\"><figcaption>{}</figcaption>", html(&table.title));
@@ -147,7 +147,7 @@ fn write_chart<'a>(body: &mut String, chart: &'a Chart, charts: &mut Vec<ChartDa
     let note = if chart.note.is_empty() { String::new() } else { format!(" <small>{}</small>", html(&chart.note)) };
     let _ = write!(
         body,
-        "<figure class=\"chart\"><figcaption>{}{note}</figcaption><div class=\"plot\" style=\"height:{height}px\">\
+        "<figure class=\"chart half\"><figcaption>{}{note}</figcaption><div class=\"plot\" style=\"height:{height}px\">\
          <canvas data-chart=\"{}\" role=\"img\" aria-label=\"{}\"></canvas></div>",
         html(&chart.title),
         charts.len(),

@@ -91,7 +91,7 @@ pub(super) fn people(world: &WorldStatistics, charts: &Charts) -> Section {
     let mut items = vec![Item::Table(tones)];
     items.extend(charts.of(&["skin_tone", "skin_tone_boxes"]));
     items.push(table("Ages and sexes", &columns, ages.chain(sexes).collect()));
-    items.extend(charts.of(&["age_years", "sex"]));
+    items.extend(charts.of(&["age_years"]));
     let note = format!(
         "{} people and riders who are seen, each once a video, and their {} boxes: whom a model learns from. Skin tones are \
          those of the Monk scale, from 1, the lightest, to 10.",
