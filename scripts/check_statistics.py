@@ -115,7 +115,7 @@ class Dataset:
         self.boxes, self.boxes_in_frames, self.filmed = [], [], collections.Counter()
         self.tracks, self.sizes, self.views = [], collections.Counter(), collections.defaultdict(list)
         self.view_frames, self.seen, self.looks = collections.Counter(), [], collections.defaultdict(list)
-        self.happened, self.staged, self.people, self.colors = (collections.Counter() for _ in range(4))
+        self.happened, self.staged, self.people, self.vehicles = (collections.Counter() for _ in range(4))
         self.ages, self.sequences = [], 0
         self.videos = [v for v in self.manifest["videos"] if v["state"] == "complete"]
         for video in self.videos:
@@ -144,7 +144,9 @@ class Dataset:
         for number, line in enumerate(lines(folder / "objects.jsonl")):
             condition = conditions.get(line["frame"], (video["weather"], video["time_of_day"]))
             self.boxes_in_frames.append(len(line["objects"]))
-            self.filmed[condition] += 1
+            for what in (condition, condition[0], condition[1], ("map", video["map"])):
+                self.filmed[what] += 1
+                self.filmed[(what, "boxes")] += len(line["objects"])
             self.sizes[f"{size[0]}x{size[1]}"] += 1
             self.view_frames[view] += 1
             for o in line["objects"]:
@@ -178,8 +180,11 @@ class Dataset:
                     self.people[(*key, "boxes")] += boxes.total()
                 for time, number in boxes.items():
                     self.people[("tone", person["skin_tone"], time)] += number
-            if "color" in actor.get("vehicle", {}):
-                self.colors[actor["vehicle"]["color"]["name"]] += 1
+            for key, word in actor.get("vehicle", {}).items():
+                if key in ("color", "model", "subclass"):
+                    name = word["name"] if key == "color" else word
+                    self.vehicles[(key, name, "objects")] += 1
+                    self.vehicles[(key, name, "boxes")] += boxes.total()
         for group in ("people", "riders", "vehicles", "parked_vehicles", "persons"):
             self.looks[group].append(looks[group])
 
@@ -215,12 +220,17 @@ class Dataset:
         for key, field in (("maps", "map"), ("weathers", "weather"), ("times", "time_of_day")):
             counted = collections.Counter(v[field] for v in self.videos)
             same(dict(counted), {name: f["videos"] for name, f in told[key].items() if f["videos"]}, f"{key}: videos")
+            for name, of in told[key].items():
+                what = ("map", name) if key == "maps" else name
+                numbers = [self.filmed[what], self.filmed[(what, "boxes")]]
+                same(numbers, [of["camera_frames"], of["boxes"]], f"{key}: {name}")
         same([f"{w}_{t}" for w in WEATHERS for t in TIMES], list(told["conditions"]), "fifteen conditions")
         for w in WEATHERS:
             for t in TIMES:
                 videos = sum((v["weather"], v["time_of_day"]) == (w, t) for v in self.videos)
                 both = told["conditions"][f"{w}_{t}"]
-                same([videos, self.filmed[(w, t)]], [both["videos"], both["camera_frames"]], f"{w} {t}")
+                numbers = [videos, self.filmed[(w, t)], self.filmed[((w, t), "boxes")]]
+                same(numbers, [both["videos"], both["camera_frames"], both["boxes"]], f"{w} {t}")
         same(dict(self.view_frames), {name: v["camera_frames"] for name, v in told["views"].items()}, "views")
         for name, view in told["views"].items():
             check_heat_map(self.views[name], view["heat_map"], name)
@@ -267,7 +277,13 @@ class Dataset:
         for time, of in told["boxes_by_time_and_skin_tone"].items():
             for tone, boxes in of.items():
                 same(self.people[("tone", int(tone), time)], boxes, f"skin tone {tone}, {time}")
-        same(dict(self.colors), {name: of["objects"] for name, of in world["vehicles"]["color"].items()}, "colours")
+        told_vehicles = {
+            (key, name, unit): number
+            for key, words in world["vehicles"].items()
+            for name, of in words.items()
+            for unit, number in of.items()
+        }
+        same(dict(self.vehicles), told_vehicles, "vehicles")
         for group, videos in self.looks.items():
             check_looks(videos, world["looks"][group], f"looks of {group}")
 

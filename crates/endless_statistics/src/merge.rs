@@ -10,7 +10,7 @@ pub(crate) trait Merge {
 
 impl Merge for u64 {
     fn absorb(&mut self, other: Self) {
-        *self += other;
+        *self = self.saturating_add(other);
     }
 }
 

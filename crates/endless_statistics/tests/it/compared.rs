@@ -73,3 +73,21 @@ fn two_datasets_are_each_compared_with_the_real_one() {
     let text = Report::of_comparison(&comparison).text();
     assert!(text.contains("A from C") && text.contains("B from C"));
 }
+
+/// `scripts/check_statistics.py --coco` counts this file by pycocotools.
+#[test]
+fn a_file_as_pycocotools_reads_it_is_counted() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/instances.json");
+    let statistics = DatasetStatistics::of_coco(&path, &CocoClasses::default()).expect("a COCO file");
+    let totals = &statistics.totals;
+    assert_eq!((totals.camera_frames, totals.boxes, totals.empty_frames), (3, 6, 1));
+    let boxes: Vec<(&str, u64)> = statistics.classes.iter().map(|(class, of)| (class.name(), of.boxes)).collect();
+    let expected = [("car", 1), ("truck", 1), ("bus", 1), ("motorcycle", 0), ("bicycle", 1), ("pedestrian", 2)];
+    assert_eq!(boxes, expected);
+    // 32 × 32 is medium, 96 × 96 large.
+    let sizes = statistics.boxes.sizes_by_box;
+    assert_eq!((sizes.small, sizes.medium, sizes.large), (1, 3, 2));
+    assert_eq!(statistics.boxes.at_edge, 2, "at the left edge, and within a pixel of the right one");
+    let coco = statistics.coco.expect("a COCO file");
+    assert_eq!((coco.crowd_boxes, coco.other_boxes.get("cat")), (1, Some(&1)));
+}

@@ -2,7 +2,11 @@
 
 use crate::hand_made::{dataset, write};
 use endless_statistics::{CocoClasses, DatasetStatistics, GatherOptions};
-use std::{fs, path::Path};
+use proptest::{prelude::*, sample::Index};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 fn refused(root: &Path) -> String {
     let counted = DatasetStatistics::of_dataset(root, &GatherOptions::default());
@@ -77,4 +81,36 @@ fn what_is_no_coco_file_is_refused_with_its_name() {
         assert_eq!(message.lines().count(), 1);
     }
     assert!(DatasetStatistics::of_coco(folder.path(), &CocoClasses::default()).is_err());
+}
+
+/// All files of a dataset, by path.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = Vec::new();
+    for entry in fs::read_dir(folder).expect("there") {
+        let path = entry.expect("readable").path();
+        if path.is_dir() { files.extend(files_below(&path)) } else { files.push(path) }
+    }
+    files.sort();
+    files
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+    #[test]
+    fn no_damage_makes_it_panic(file in any::<Index>(), place in any::<Index>(), by in "(-|9999999999|1e300|null|\\[|\"|)", take in 0..4usize) {
+        let folder = dataset();
+        let path = file.get(&files_below(folder.path())).clone();
+        let mut bytes = fs::read(&path).expect("there");
+        let at = place.index(bytes.len());
+        let end = (at + take).min(bytes.len());
+        bytes.splice(at..end, by.bytes());
+        fs::write(&path, bytes).expect("writable");
+        match DatasetStatistics::of_dataset(folder.path(), &GatherOptions::default()) {
+            Ok(counted) => {
+                let report = endless_statistics::Report::of_dataset(&counted);
+                prop_assert!(serde_json::to_string(&counted).is_ok() && !report.text().is_empty() && !report.page().is_empty());
+            }
+            Err(error) => prop_assert_eq!(error.to_string().lines().count(), 1),
+        }
+    }
 }
