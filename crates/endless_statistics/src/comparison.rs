@@ -134,8 +134,6 @@ fn compared(statistics: &DatasetStatistics) -> Vec<Distribution> {
 
 fn numbers(sides: &[Side]) -> Vec<NumberRow> {
     type Number = fn(&DatasetStatistics) -> Option<f64>;
-    let of_scenes = |of: &DatasetStatistics| of.totals.videos > 0;
-    debug_assert!(sides.iter().all(|side| of_scenes(&side.statistics) == side.statistics.world.is_some()));
     let rows: [(&'static str, Number); 13] = [
         ("videos", |of| (of.totals.videos > 0).then_some(of.totals.videos as f64)),
         ("camera views", |of| Some(of.world.as_ref()?.scenes.views.len() as f64)),

@@ -7,6 +7,16 @@
 //!
 //! All counts are whole numbers that are added up, so that they do not depend on who counts which video first.
 //! [`distributions`] lists the shares of everything under one form, from which charts, tables and comparisons are made.
+//!
+//! ```no_run
+//! use endless_statistics::{Comparison, CocoClasses, DatasetStatistics, GatherOptions, Report};
+//!
+//! let ours = DatasetStatistics::of_dataset("out".as_ref(), &GatherOptions::default())?;
+//! let text = Report::of_dataset(&ours).text();
+//! let real = DatasetStatistics::of_coco("instances_val2017.json".as_ref(), &CocoClasses::default())?;
+//! let page = Report::of_comparison(&Comparison::new(vec![ours, real])).page();
+//! # Ok::<(), endless_statistics::StatisticsError>(())
+//! ```
 
 mod boxes;
 mod camera_count;

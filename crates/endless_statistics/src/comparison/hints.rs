@@ -37,7 +37,7 @@ fn of_pair(place: usize, side: char, last: char, numbers: &[NumberRow], tables: 
     let mut differing: Vec<(f64, &ShareTable)> = tables
         .iter()
         .filter_map(|table| Some((table.distances[place]?, table)))
-        .filter(|(distance, table)| *distance >= ALIKE && !table.key.contains('/'))
+        .filter(|(distance, table)| *distance >= ALIKE && !table.key.contains('/') && table.key != "views")
         .collect();
     differing.sort_by(|a, b| b.0.total_cmp(&a.0));
     for (_, table) in differing {
@@ -80,7 +80,7 @@ fn of_table(place: usize, side: char, last: char, table: &ShareTable) -> Option<
         .take(4)
         .collect();
     if !missing.is_empty() && table.labels.len() <= 40 {
-        let _ = write!(text, " {last} has nothing of {}.", missing.join(", "));
+        let _ = write!(text, " {last} lacks {}.", missing.join(", "));
     }
     Some(text)
 }
@@ -113,7 +113,7 @@ fn what(table: &ShareTable, label: usize) -> String {
         ("places", _) => format!("boxes in {label} of the picture's 8 \u{d7} 6 cells"),
         ("people_met" | "vehicles_met", _) => format!("looks that are met in {label} videos"),
         ("age_years", _) => format!("people of {label} years"),
-        _ => format!("{of} with {} {label}", table.axis),
+        _ => format!("{of} of {} {label}", table.axis),
     }
 }
 

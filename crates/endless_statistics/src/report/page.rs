@@ -82,16 +82,11 @@ fn write_item<'a>(body: &mut String, item: &'a Item, charts: &mut Vec<ChartData<
                 (3..=4, _) | (5..=6, 0..=8) => " half",
                 _ => " wide",
             };
-            let _ = write!(body, "<figure class=\"table{width}\"><figcaption>{}</figcaption>", html(&table.title));
-            // What is longer than a screen is unfolded on demand.
-            if table.rows.len() > 24 {
-                let rows = whole(table.rows.len() as u64);
-                let _ = write!(body, "<details><summary>{rows} rows</summary>");
-                write_table(body, table);
-                body.push_str("</details>");
-            } else {
-                write_table(body, table);
-            }
+            // What is longer than a screen has a scroll bar of its own.
+            let tall = if table.rows.len() > 24 { " tall" } else { "" };
+            let title = html(&table.title);
+            let _ = write!(body, "<figure class=\"table{width}{tall}\"><figcaption>{title}</figcaption>");
+            write_table(body, table);
             body.push_str("</figure>\n");
         }
         Item::Chart(chart) => write_chart(body, chart, charts),
