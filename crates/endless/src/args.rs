@@ -39,6 +39,10 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Write a dataset in a format of others: COCO, YOLO, MOTChallenge, KITTI and more.
     Export(ExportArgs),
+    /// Count a dataset: conditions, boxes, tracks, speeds, people, looks; as text, JSON or a web page with charts.
+    Stats(StatsArgs),
+    /// Lay two datasets side by side; one may be a real one in COCO form.
+    Compare(CompareArgs),
     /// Time the whole pipeline on a fixed recipe.
     Bench(BenchArgs),
     /// Print the JSON schema of recipes.
@@ -322,6 +326,49 @@ pub(crate) struct ExportArgs {
     /// Link to the dataset's images [default].
     #[arg(long, conflicts_with = "copy")]
     pub(crate) link: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct StatsArgs {
+    /// Folder of the dataset; several are counted as one.
+    #[arg(required = true)]
+    pub(crate) out: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) outputs: StatsOutputs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompareArgs {
+    /// Folder of the first dataset.
+    pub(crate) a: PathBuf,
+    /// Folder of the second dataset; not needed with --coco.
+    pub(crate) b: Option<PathBuf>,
+    /// A dataset in COCO form: its file of detection labels. With two folders both are compared with it.
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) coco: Option<PathBuf>,
+    /// Which of its categories are which classes: a TOML file of lines as `"delivery van" = "van"` or `train = "none"`
+    /// [default: those of our names, COCO's person and other usual names].
+    #[arg(long, value_name = "FILE.toml", requires = "coco")]
+    pub(crate) coco_classes: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) outputs: StatsOutputs,
+}
+
+/// Files to write; without any, text is printed.
+#[derive(Debug, Args)]
+pub(crate) struct StatsOutputs {
+    /// Write all numbers as JSON.
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) json: Option<PathBuf>,
+    /// Write one web page with charts, which needs nothing else.
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) html: Option<PathBuf>,
+    /// Replace files that exist.
+    #[arg(long)]
+    pub(crate) force: bool,
+    /// Look at one frame of so many, to be done sooner.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) stride: u32,
 }
 
 #[derive(Debug, Args)]

@@ -19,6 +19,7 @@ mod schema;
 mod serve;
 mod simulate;
 mod simulate_options;
+mod statistics;
 mod threads;
 
 use args::{Cli, Command};
@@ -61,6 +62,8 @@ fn run() -> ExitCode {
         Command::Generate(args) => generate::run(library, *args, threads),
         Command::Check(args) => check::run(&args, threads),
         Command::Export(args) => on_threads(threads, || export::run(&args)),
+        Command::Stats(args) => on_threads(threads, || statistics::stats(&args)),
+        Command::Compare(args) => on_threads(threads, || statistics::compare(&args)),
         Command::Schema => schema::run(),
         Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args, threads),
         // One more, which answers, and waits while others render.

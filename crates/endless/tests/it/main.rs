@@ -11,4 +11,5 @@ mod program;
 mod real_city;
 mod scaling;
 mod simulate;
+mod statistics;
 mod threads;
