@@ -7,6 +7,7 @@ import xml.etree.ElementTree as xml
 
 import numpy as np
 
+from .datumaro_reader import with_datumaro
 from .truth import Truth, check, one_video_one_part
 
 
@@ -24,19 +25,7 @@ def pascal_voc(truth: Truth, folder: pathlib.Path) -> None:
             box = [int(entry.findtext(f"bndbox/{edge}")) for edge in ("xmin", "ymin", "xmax", "ymax")]
             check(box == [x + 1, y + 1, x + w, y + h] and entry.findtext("name") == o["class"], name, o["id"])
             count += 1
-    print(f"  {count} boxes; {with_datumaro(folder, 'voc', truth, count)}")
-
-
-def with_datumaro(folder: pathlib.Path, kind: str, truth: Truth, boxes: int) -> str:
-    """Datumaro reads formats as CVAT does."""
-    try:
-        import datumaro
-    except ImportError:
-        return "Datumaro is not installed"
-    dataset = datumaro.Dataset.import_from(str(folder), kind)
-    found = sum(1 for item in dataset for a in item.annotations if a.type == datumaro.AnnotationType.bbox)
-    check(found == boxes, "Datumaro finds", found, "of", boxes)
-    return f"Datumaro finds all of them in {len(dataset)} pictures"
+    print(f"  {count} boxes; {with_datumaro(folder, 'voc', count)}")
 
 
 def cvat(truth: Truth, folder: pathlib.Path) -> None:
@@ -59,7 +48,7 @@ def cvat(truth: Truth, folder: pathlib.Path) -> None:
                 attributes = {a.get("name"): a.text for a in box.findall("attribute")}
                 check(attributes["track_id"] == str(o["id"]), frame.name, o["id"])
                 own += 1
-        notes.append(with_datumaro(folder / split, "cvat", truth, own))
+        notes.append(with_datumaro(folder / split, "cvat", own))
         count += own
     one_video_one_part(parts)
     check(count == truth.boxes, count, "boxes")

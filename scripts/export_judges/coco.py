@@ -10,6 +10,7 @@ from PIL import Image
 from pycocotools.coco import COCO
 from pycocotools.cocoeval import COCOeval
 
+from .datumaro_reader import with_datumaro
 from .truth import Truth, check, one_video_one_part
 
 
@@ -74,14 +75,15 @@ def detection(truth: Truth, folder: pathlib.Path, files: dict, images: dict, pol
 
 def coco(truth: Truth, folder: pathlib.Path) -> None:
     splits = ["train", "val"]
+    print(f"  {with_datumaro(folder, 'coco_instances', truth.boxes)}")
     files = {split: folder / f"annotations/instances_{split}.json" for split in splits}
-    detection(truth, folder, files, {split: folder / split for split in splits})
+    detection(truth, folder, files, {split: folder / "images" / split for split in splits})
 
 
 def coco_polygons(truth: Truth, folder: pathlib.Path) -> None:
     splits = ["train", "val"]
     files = {split: folder / f"annotations/instances_{split}.json" for split in splits}
-    detection(truth, folder, files, {split: folder / split for split in splits}, polygons=True)
+    detection(truth, folder, files, {split: folder / "images" / split for split in splits}, polygons=True)
 
 
 def roboflow(truth: Truth, folder: pathlib.Path) -> None:
@@ -139,4 +141,4 @@ def coco_panoptic(truth: Truth, folder: pathlib.Path) -> None:
             unlabelled = (instance > 0) & ~np.isin(instance, list(labelled))
             check((void == (unlabelled | ((tag == 0) & (instance == 0)))).all(), "void of", frame.name)
             segments += len(told)
-    print(f"  {segments} segments")
+    print(f"  {segments} segments; {with_datumaro(folder, 'coco_panoptic', segments)}")

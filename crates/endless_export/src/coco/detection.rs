@@ -1,4 +1,4 @@
-//! COCO's instances: `annotations/instances_train.json` beside `train/`, or as Roboflow lays it out.
+//! COCO's instances: `annotations/instances_train.json` beside `images/train/`, or as Roboflow lays it out.
 
 use super::{
     annotation::{Masks, annotation, instance_if_labelled},
@@ -30,9 +30,13 @@ impl CocoDetection {
     /// What Roboflow imports.
     pub(crate) const ROBOFLOW: Self = Self { masks: Masks::Polygons, roboflow: true };
 
-    /// Roboflow calls validation `valid`.
-    fn folder<'a>(&self, split: &'a str) -> &'a str {
-        if self.roboflow && split == "val" { "valid" } else { split }
+    /// Folder of a part's pictures. Roboflow calls validation `valid`.
+    fn folder(&self, split: &str) -> String {
+        match (self.roboflow, split) {
+            (true, "val") => "valid".into(),
+            (true, other) => other.into(),
+            (false, other) => format!("images/{other}"),
+        }
     }
 }
 

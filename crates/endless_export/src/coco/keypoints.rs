@@ -27,7 +27,7 @@ impl Exporter for CocoKeypoints {
             let before = video.export.frames_before(place);
             let make = |frame: &LabelledFrame<'_>| {
                 let file_name = format!("{}.{}", frame.name(), sequence.extension(Layer::Rgb));
-                video.place_image(frame, Layer::Rgb, &format!("{}/{file_name}", video.split()))?;
+                video.place_image(frame, Layer::Rgb, &format!("images/{}/{file_name}", video.split()))?;
                 let mut lines = String::new();
                 if let Some(instance) = instance_if_labelled(frame)? {
                     let id = image_id(frame, before);

@@ -73,7 +73,7 @@ impl Exporter for CocoPanoptic {
             let make = |frame: &LabelledFrame<'_>| {
                 let split = video.split();
                 let file_name = format!("{}.{}", frame.name(), sequence.extension(Layer::Rgb));
-                video.place_image(frame, Layer::Rgb, &format!("{split}/{file_name}"))?;
+                video.place_image(frame, Layer::Rgb, &format!("images/{split}/{file_name}"))?;
                 let things = frame.labels.iter().map(|l| (l.object.id, video.export.classes.id(l.class))).collect();
                 let (segments, picture) = segments(&frame.instance()?, &things);
                 let png = format!("{}.png", frame.name());
