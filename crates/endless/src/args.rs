@@ -36,6 +36,8 @@ pub(crate) enum Command {
     Generate(Box<GenerateArgs>),
     /// Check a dataset: read every file and list all errors.
     Check(CheckArgs),
+    /// Look at a dataset in the browser, also while it is being made.
+    View(ViewArgs),
     /// Time the whole pipeline on a fixed recipe.
     Bench(BenchArgs),
     /// Print the JSON schema of recipes.
@@ -281,6 +283,21 @@ pub(crate) struct ExportFiles {
 pub(crate) struct CheckArgs {
     /// Folder of the dataset.
     pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ViewArgs {
+    /// Folder of the dataset.
+    pub(crate) out: PathBuf,
+    /// Port of the page; 0 for any that is free.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) port: u16,
+    /// Address on which to listen: this machine alone, unless another is given.
+    #[arg(long, default_value = "127.0.0.1")]
+    pub(crate) bind: std::net::IpAddr,
+    /// Open the page in the browser.
+    #[arg(long)]
+    pub(crate) open: bool,
 }
 
 #[derive(Debug, Args)]

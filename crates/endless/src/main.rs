@@ -19,6 +19,7 @@ mod serve;
 mod simulate;
 mod simulate_options;
 mod threads;
+mod view;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -58,6 +59,7 @@ fn run() -> ExitCode {
     let result = match cli.command {
         Command::Generate(args) => generate::run(library, *args, threads),
         Command::Check(args) => check::run(&args, threads),
+        Command::View(args) => view::run(&args),
         Command::Schema => schema::run(),
         Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args, threads),
         // One more, which answers, and waits while others render.

@@ -1,0 +1,188 @@
+// Counts over time: how many objects of each class the cameras see, and what happens.
+
+import { onPage, themeColor } from './colors.js';
+import { el, fill, words } from './dom.js';
+
+const HEIGHT = 116;
+const EVENTS = 16;
+
+/** A chart that can be dragged along. */
+export class Timeline {
+  constructor(seek) {
+    this.seek = seek;
+    this.canvas = el('canvas', { class: 'chart', role: 'img', 'aria-label': 'Objects seen over time' });
+    this.legend = el('div', { class: 'legend' });
+    this.tip = el('div', { class: 'tip chart-tip', hidden: true });
+    this.box = el('div', { class: 'chart-box' }, this.canvas, this.tip);
+    this.node = el('section', { class: 'timeline', 'aria-label': 'Counts over time' }, this.legend, this.box);
+    this.data = null;
+    this.frames = 1;
+    this.frame = 0;
+    this.there = 0;
+    this.note = 'Counting…';
+    new ResizeObserver(() => this.draw()).observe(this.box);
+    const drag = (event) => {
+      if (event.buttons & 1) this.seek(this.frameAt(event));
+    };
+    this.canvas.addEventListener('pointerdown', (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      drag(event);
+    });
+    this.canvas.addEventListener('pointermove', (event) => {
+      drag(event);
+      this.hover(event);
+    });
+    this.canvas.addEventListener('pointerleave', () => { this.tip.hidden = true; });
+  }
+
+  /** With what was counted; nothing yet is null. */
+  set({ data, frames, there, incidents, note }) {
+    Object.assign(this, { data, frames, there, incidents: incidents ?? [], note });
+    this.draw();
+    this.tell();
+  }
+
+  at(frame) {
+    this.frame = frame;
+    this.draw();
+    this.tell();
+  }
+
+  /** Numbers of the frame. */
+  tell() {
+    const { data, frame } = this;
+    if (!data) {
+      fill(this.legend, el('span', { class: 'muted', text: this.note ?? '' }));
+      return;
+    }
+    const total = data.counts.reduce((sum, row) => sum + (row[frame] ?? 0), 0);
+    fill(this.legend, el('strong', { text: `${total} in view` }), data.classes.map((name, i) => el('span', { class: 'legend-item' },
+      el('i', { class: 'dot', style: { '--dot': onPage(name) } }), el('span', { text: words(name) }),
+      el('b', { text: data.counts[i][frame] ?? 0 }))));
+  }
+
+  frameAt(event) {
+    const { left, width } = this.canvas.getBoundingClientRect();
+    const share = Math.max(0, Math.min(1, (event.clientX - left) / width));
+    return Math.max(0, Math.min(this.frames - 1, Math.floor(share * this.frames)));
+  }
+
+  hover(event) {
+    if (event.pointerType === 'touch') return;
+    const frame = this.frameAt(event);
+    const { left, width } = this.box.getBoundingClientRect();
+    const lines = [`frame ${frame}`];
+    if (this.data) {
+      const total = this.data.counts.reduce((sum, row) => sum + (row[frame] ?? 0), 0);
+      lines.push(`${total} in view`);
+      const near = Math.max(0, this.frames / width * 4);
+      for (const event_ of this.data.events) {
+        if (Math.abs(event_.frame - frame) <= near) lines.push(`${words(event_.kind)} ${event_.ids.join(', ')}`);
+      }
+    }
+    this.tip.hidden = false;
+    this.tip.textContent = lines.slice(0, 4).join(' · ');
+    const x = event.clientX - left;
+    this.tip.style.setProperty('--x', `${x}px`);
+    this.tip.classList.toggle('leftwards', x > width * 0.6);
+  }
+
+  draw() {
+    const ratio = devicePixelRatio || 1;
+    const width = this.box.clientWidth;
+    if (!width) return;
+    const [w, h] = [Math.round(width * ratio), Math.round(HEIGHT * ratio)];
+    if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
+    const context = this.canvas.getContext('2d');
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, HEIGHT);
+    const colors = { line: themeColor('--line'), text: themeColor('--muted'), ink: themeColor('--text'), alarm: themeColor('--alarm') };
+    const x = (frame) => frame / this.frames * width;
+    this.shadeMissing(context, width, x, colors);
+    this.drawCounts(context, width, x, colors);
+    this.drawEvents(context, x, colors);
+    this.drawHead(context, x, colors);
+  }
+
+  shadeMissing(context, width, x, colors) {
+    if (this.there >= this.frames) return;
+    context.fillStyle = colors.line;
+    context.globalAlpha = 0.5;
+    context.fillRect(x(this.there), EVENTS, width - x(this.there), HEIGHT - EVENTS);
+    context.globalAlpha = 1;
+  }
+
+  drawCounts(context, width, x, colors) {
+    const base = HEIGHT - 1;
+    context.strokeStyle = colors.line;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(0, base + 0.5);
+    context.lineTo(width, base + 0.5);
+    context.stroke();
+    if (!this.data) return;
+    const { counts, classes } = this.data;
+    const known = counts[0]?.length ?? 0;
+    let most = 1;
+    for (let i = 0; i < known; i += 1) most = Math.max(most, counts.reduce((sum, row) => sum + row[i], 0));
+    // Of a long video each column shows one of its frames.
+    const step = Math.max(1, Math.floor(known / width / 2));
+    const lower = new Float64Array(known);
+    const y = (n) => base - (n / most) * (base - EVENTS - 6);
+    for (const [c, row] of counts.entries()) {
+      context.beginPath();
+      for (let i = 0; i < known; i += step) {
+        const top = y(lower[i] + row[i]);
+        context.lineTo(x(i), top);
+        context.lineTo(x(Math.min(i + step, known)), top);
+      }
+      for (let i = Math.floor((known - 1) / step) * step; i >= 0; i -= step) {
+        const bottom = y(lower[i]);
+        context.lineTo(x(Math.min(i + step, known)), bottom);
+        context.lineTo(x(i), bottom);
+      }
+      context.closePath();
+      context.fillStyle = onPage(classes[c]);
+      context.globalAlpha = 0.78;
+      context.fill();
+      context.globalAlpha = 1;
+      for (let i = 0; i < known; i += 1) lower[i] += row[i];
+    }
+    context.fillStyle = colors.text;
+    context.font = '10px system-ui, sans-serif';
+    context.textBaseline = 'top';
+    context.fillText(`${most}`, 2, EVENTS - 3);
+  }
+
+  drawEvents(context, x, colors) {
+    for (const { begin_frame, end_frame } of this.incidents ?? []) {
+      context.fillStyle = colors.alarm;
+      context.globalAlpha = 0.18;
+      context.fillRect(x(begin_frame), 0, Math.max(3, x(end_frame + 1) - x(begin_frame)), HEIGHT);
+      context.globalAlpha = 1;
+    }
+    for (const { frame, kind } of this.data?.events ?? []) {
+      const grave = kind === 'collision' || kind === 'near_miss' || kind === 'red_light_run';
+      context.fillStyle = grave ? colors.alarm : colors.text;
+      context.beginPath();
+      context.arc(x(frame + 0.5), 6, grave ? 3.4 : 2.4, 0, 7);
+      context.fill();
+    }
+  }
+
+  drawHead(context, x, colors) {
+    const at = x(this.frame + 0.5);
+    context.strokeStyle = colors.ink;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.moveTo(at, 0);
+    context.lineTo(at, HEIGHT);
+    context.stroke();
+    context.fillStyle = colors.ink;
+    context.beginPath();
+    context.moveTo(at - 5, 0);
+    context.lineTo(at + 5, 0);
+    context.lineTo(at, 7);
+    context.fill();
+  }
+}
