@@ -75,11 +75,11 @@ export class VideoList {
     const cameras = new Set(videos.map((video) => video.cameras.length));
     fill(this.summary, [
       count(videos.length, 'video'),
-      `${[...cameras].sort().join(' or ')} cameras`,
+      cameras.has(0) ? null : `${[...cameras].sort().join(' or ')} cameras`,
       `${recipe.size} at ${number(recipe.fps)} fps, ${number(recipe.duration)} s`,
       count(recipe.layers.length, 'layer'),
       `seed ${recipe.seed}`,
-    ].join('  ·  '));
+    ].filter(Boolean).join('  ·  '));
     this.showFacets(videos);
     this.wanted = videos.filter((video) => passes(video, this.filters));
     const waits = data.pending ? `, ${data.pending} still to be counted` : '';
@@ -145,8 +145,9 @@ function card(video, recipe) {
     : el('span', { class: `badge ${state}`, text: state === 'planned' ? 'planned' : `recording ${number(video.recorded, 0)} / ${number(video.frames, 0)}` });
   const picture = el('div', { class: 'thumb' }, badge,
     el('span', { class: 'length', text: `${number(video.frames / recipe.fps, 1)} s` }));
-  if (open) {
-    const pictures = video.cameras.slice(0, 2).map((_, camera) => el('img', {
+  if (open && video.recorded !== 0) {
+    // A scene that only its rig films has no cameras of its own; the rig's are counted after them.
+    const pictures = [0, 1].slice(0, Math.max(1, video.cameras.length)).map((camera) => el('img', {
       alt: '', loading: 'lazy', decoding: 'async',
       on: { error: (event) => event.target.remove() },
       src: paths.thumbnail(video.video, camera),

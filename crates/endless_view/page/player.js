@@ -111,13 +111,13 @@ export class Player {
     const number_ = this.number;
     const quiet = (promise) => promise.catch(() => null);
     const { views } = this.video;
-    const maps = Promise.all(views.map((view) => quiet(json(paths.map(number_, view.number)))));
+    const maps = Promise.all(views.map((view) => (view.has_map ? quiet(json(paths.map(number_, view.number))) : null)));
     this.timeline.set({ data: null, frames: this.frames, there: this.there, incidents: this.video.scene.incidents, note: this.video.state === 'complete' ? 'Counting…' : 'Counts come when the video is complete.' });
     this.maps = await maps;
     if (this.gone) return;
     this.map.set({ views, maps: this.maps, alone: this.alone });
     this.draw();
-    this.actors = new Map(((await quiet(json(paths.actors(number_)))) ?? []).map((actor) => [actor.id, actor]));
+    this.actors = new Map(((this.video.has_actors ? await quiet(json(paths.actors(number_))) : null) ?? []).map((actor) => [actor.id, actor]));
     if (this.gone) return;
     if (this.chosen !== null) this.panels();
     if (this.video.state !== 'complete') return;

@@ -3,6 +3,8 @@
 import { onPage } from './colors.js';
 import { el, fill, number, words } from './dom.js';
 
+const MOST_EVENTS = 60;
+
 /** The panel of the scene. */
 export class ScenePanel {
   /** `act` is told of `seek(frame)` and `choose(id)`. */
@@ -66,11 +68,15 @@ export class ScenePanel {
   }
 
   events(events, frame) {
-    const near = events.slice(0, 300);
+    // Of very many those around the frame.
+    const at = events.findIndex((event) => event.frame >= frame);
+    const first = Math.max(0, Math.min((at < 0 ? events.length : at) - MOST_EVENTS / 2, events.length - MOST_EVENTS));
+    const near = events.slice(first, first + MOST_EVENTS);
+    const left = events.length - near.length;
     return el('section', {}, el('h3', { text: 'What happens' }), el('ol', { class: 'events' }, near.map((event) => el('li', { class: event.frame === frame ? 'now' : '' },
       el('button', { type: 'button', class: 'link frame-link', text: event.frame, title: `Go to frame ${event.frame}`, on: { click: () => this.act.seek(event.frame) } }),
       el('span', { text: words(event.kind) }), el('span', {}, this.ids(event.ids))))),
-    events.length > near.length ? el('p', { class: 'muted', text: `and ${events.length - near.length} more` }) : null);
+    left ? el('p', { class: 'muted', text: `${number(left, 0)} more at other times` }) : null);
   }
 }
 

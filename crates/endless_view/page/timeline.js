@@ -3,8 +3,10 @@
 import { onPage, themeColor } from './colors.js';
 import { el, fill, words } from './dom.js';
 
-const HEIGHT = 116;
+/** Height of the strip of events, and how many of them are dots. */
 const EVENTS = 16;
+const MOST_DOTS = 120;
+const GRAVE = new Set(['collision', 'near_miss', 'red_light_run']);
 
 /** A chart that can be dragged along. */
 export class Timeline {
@@ -89,31 +91,32 @@ export class Timeline {
 
   draw() {
     const ratio = devicePixelRatio || 1;
-    const width = this.box.clientWidth;
-    if (!width) return;
-    const [w, h] = [Math.round(width * ratio), Math.round(HEIGHT * ratio)];
+    const { clientWidth: width, clientHeight: height } = this.box;
+    if (!width || !height) return;
+    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
     const context = this.canvas.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, HEIGHT);
+    context.clearRect(0, 0, width, height);
     const colors = { line: themeColor('--line'), text: themeColor('--muted'), ink: themeColor('--text'), alarm: themeColor('--alarm') };
     const x = (frame) => frame / this.frames * width;
-    this.shadeMissing(context, width, x, colors);
-    this.drawCounts(context, width, x, colors);
-    this.drawEvents(context, x, colors);
-    this.drawHead(context, x, colors);
+    const pen = { context, width, height, x, colors };
+    this.shadeMissing(pen);
+    this.drawCounts(pen);
+    this.drawEvents(pen);
+    this.drawHead(pen);
   }
 
-  shadeMissing(context, width, x, colors) {
+  shadeMissing({ context, width, height, x, colors }) {
     if (this.there >= this.frames) return;
     context.fillStyle = colors.line;
     context.globalAlpha = 0.5;
-    context.fillRect(x(this.there), EVENTS, width - x(this.there), HEIGHT - EVENTS);
+    context.fillRect(x(this.there), EVENTS, width - x(this.there), height - EVENTS);
     context.globalAlpha = 1;
   }
 
-  drawCounts(context, width, x, colors) {
-    const base = HEIGHT - 1;
+  drawCounts({ context, width, height, x, colors }) {
+    const base = height - 1;
     context.strokeStyle = colors.line;
     context.lineWidth = 1;
     context.beginPath();
@@ -143,9 +146,18 @@ export class Timeline {
       }
       context.closePath();
       context.fillStyle = onPage(classes[c]);
-      context.globalAlpha = 0.78;
+      context.globalAlpha = 0.5;
       context.fill();
       context.globalAlpha = 1;
+      context.beginPath();
+      for (let i = 0; i < known; i += step) {
+        const top = y(lower[i] + row[i]);
+        context.lineTo(x(i), top);
+        context.lineTo(x(Math.min(i + step, known)), top);
+      }
+      context.strokeStyle = onPage(classes[c]);
+      context.lineWidth = 1.4;
+      context.stroke();
       for (let i = 0; i < known; i += 1) lower[i] += row[i];
     }
     context.fillStyle = colors.text;
@@ -154,29 +166,37 @@ export class Timeline {
     context.fillText(`${most}`, 2, EVENTS - 3);
   }
 
-  drawEvents(context, x, colors) {
+  drawEvents({ context, height, x, colors }) {
     for (const { begin_frame, end_frame } of this.incidents ?? []) {
       context.fillStyle = colors.alarm;
       context.globalAlpha = 0.18;
-      context.fillRect(x(begin_frame), 0, Math.max(3, x(end_frame + 1) - x(begin_frame)), HEIGHT);
+      context.fillRect(x(begin_frame), 0, Math.max(3, x(end_frame + 1) - x(begin_frame)), height);
       context.globalAlpha = 1;
     }
-    for (const { frame, kind } of this.data?.events ?? []) {
-      const grave = kind === 'collision' || kind === 'near_miss' || kind === 'red_light_run';
+    const events = this.data?.events ?? [];
+    for (const { frame, kind } of events) {
+      const grave = GRAVE.has(kind);
       context.fillStyle = grave ? colors.alarm : colors.text;
+      if (events.length > MOST_DOTS) {
+        // Dots would run into one another: strokes, so that one sees where there are many.
+        context.globalAlpha = grave ? 0.6 : 0.25;
+        context.fillRect(x(frame), grave ? 1 : 5, 1, grave ? 10 : 6);
+        context.globalAlpha = 1;
+        continue;
+      }
       context.beginPath();
       context.arc(x(frame + 0.5), 6, grave ? 3.4 : 2.4, 0, 7);
       context.fill();
     }
   }
 
-  drawHead(context, x, colors) {
+  drawHead({ context, height, x, colors }) {
     const at = x(this.frame + 0.5);
     context.strokeStyle = colors.ink;
     context.lineWidth = 1.5;
     context.beginPath();
     context.moveTo(at, 0);
-    context.lineTo(at, HEIGHT);
+    context.lineTo(at, height);
     context.stroke();
     context.fillStyle = colors.ink;
     context.beginPath();

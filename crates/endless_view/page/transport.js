@@ -12,6 +12,11 @@ export class Transport {
     const button = (name, label, keys, click) => el('button', {
       class: 'icon-button', type: 'button', 'aria-label': label, title: `${label} (${keys})`, on: { click },
     }, icon(name));
+    const edge = (...what) => {
+      const node = button(...what);
+      node.classList.add('edge');
+      return node;
+    };
     this.play = button('play', 'Play', 'Space', () => act.toggle());
     this.play.classList.add('play');
     this.slider = el('input', {
@@ -40,11 +45,11 @@ export class Transport {
     this.linkButton = button('link', 'Copy a link to this frame', 'L', () => act.link());
     this.node = el('div', { class: 'transport' },
       el('div', { class: 'buttons' },
-        button('first', 'First frame', 'Home', () => act.seek(0)),
+        edge('first', 'First frame', 'Home', () => act.seek(0)),
         button('back', 'One frame back', '←', () => act.step(-1)),
         this.play,
         button('next', 'One frame forward', '→', () => act.step(1)),
-        button('last', 'Last frame', 'End', () => act.seek(Infinity))),
+        edge('last', 'Last frame', 'End', () => act.seek(Infinity))),
       this.slider,
       el('div', { class: 'frame-at' }, this.frameBox, this.of, this.time),
       el('div', { class: 'buttons' }, this.speedButton, this.linkButton, button('expand', 'Whole screen', 'F', () => act.whole())));

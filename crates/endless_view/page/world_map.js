@@ -20,7 +20,7 @@ export class WorldMap {
     this.node = el('section', { class: 'map-box', 'aria-label': 'Map' }, this.canvas,
       el('div', { class: 'map-buttons' },
         button('plus', 'Nearer', () => this.zoom(1.5)), button('minus', 'Farther', () => this.zoom(1 / 1.5)),
-        button('fit', 'Show all', () => this.fit())), this.scaleText);
+        button('fit', 'Show all', () => this.showAll())), this.scaleText);
     this.maps = [];
     this.views = [];
     this.objects = new Map();
@@ -90,7 +90,18 @@ export class WorldMap {
 
   choose(event) {
     const { left, top } = this.canvas.getBoundingClientRect();
-    const [x, y] = this.toWorld(event.clientX - left, event.clientY - top);
+    const [px, py] = [event.clientX - left, event.clientY - top];
+    const [x, y] = this.toWorld(px, py);
+    const camera = this.views.find((view) => {
+      const eye = eyeOf(view, this.poses);
+      if (!eye) return false;
+      const [cx, cy] = this.toCanvas(eye);
+      return Math.hypot(cx - px, cy - py) < 11;
+    });
+    if (camera) {
+      this.look(camera.number === this.looked ? null : camera.number);
+      return;
+    }
     let [best, nearest] = [null, 9 / this.scale];
     for (const { object } of this.objects.values()) {
       const reach = Math.max(...(object.box3d?.size.slice(0, 2) ?? [0.6])) / 2;
@@ -113,6 +124,11 @@ export class WorldMap {
     } else this.scale = scale;
     this.touched = true;
     this.draw();
+  }
+
+  showAll() {
+    this.looked = null;
+    this.fit();
   }
 
   /** Looks at one camera, or at all. */
@@ -144,6 +160,11 @@ export class WorldMap {
     this.draw();
   }
 
+  toCanvas([x, y]) {
+    const [w, h] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    return [w / 2 + (x - this.center[0]) * this.scale, h / 2 - (y - this.center[1]) * this.scale];
+  }
+
   toWorld(x, y) {
     const [w, h] = [this.canvas.clientWidth, this.canvas.clientHeight];
     return [this.center[0] + (x - w / 2) / this.scale, this.center[1] - (y - h / 2) / this.scale];
@@ -160,8 +181,7 @@ export class WorldMap {
     context.clearRect(0, 0, w, h);
     context.lineJoin = 'round';
     context.lineCap = 'round';
-    const at = ([x, y]) => [w / 2 + (x - this.center[0]) * this.scale, h / 2 - (y - this.center[1]) * this.scale];
-    const pen = { context, at, scale: this.scale };
+    const pen = { context, at: (point) => this.toCanvas(point), scale: this.scale };
     this.drawStreets(pen);
     this.views.forEach((view, i) => this.drawField(pen, view, i));
     this.drawTrails(pen);
@@ -250,7 +270,7 @@ export class WorldMap {
     context.beginPath();
     if (onFoot) context.arc(0, 0, Math.max(2.4, 0.35 * scale), 0, 7);
     else {
-      const [l, w] = [Math.max(5, length * scale), Math.max(2.6, width * scale)];
+      const [l, w] = [Math.max(6, length * scale), Math.max(3, width * scale)];
       context.moveTo(l / 2, 0);
       context.lineTo(l / 2 - w * 0.45, w / 2);
       context.lineTo(-l / 2, w / 2);

@@ -36,6 +36,7 @@ struct VideoReply<'v> {
     /// Frames that can be shown.
     frames_there: u32,
     rgb_format: RgbFormat,
+    has_actors: bool,
     #[serde(flatten)]
     scene: Scene<'v>,
     views: Vec<CameraReply<'v>>,
@@ -58,6 +59,7 @@ struct CameraReply<'v> {
     size: ImageSize,
     layers: Vec<Layer>,
     has_objects: bool,
+    has_map: bool,
     /// `camera.json`, once it is there.
     camera: Option<Value>,
 }
@@ -108,6 +110,7 @@ fn video_reply(dataset: &Dataset, number: u32) -> Result<Vec<u8>, Refusal> {
         size: camera.of_rig.then(|| rig_size(&camera.name)).flatten().unwrap_or(video.settings.size),
         layers: camera.layers(&dataset.folder),
         has_objects: dataset.folder.stamp(&camera.layout.objects()).is_ok(),
+        has_map: dataset.folder.stamp(&camera.layout.map()).is_ok(),
         camera: dataset.folder.json(&camera.layout.camera()).ok(),
     });
     let reply = VideoReply {
@@ -116,6 +119,7 @@ fn video_reply(dataset: &Dataset, number: u32) -> Result<Vec<u8>, Refusal> {
         state: video.entry.state,
         frames_there: video.frames_there(&dataset.folder, &manifest),
         rgb_format: manifest.recipe.rgb_format,
+        has_actors: dataset.folder.stamp(&video.layout.actors()).is_ok(),
         scene: match &video.record {
             Some(scene) => Scene::Complete { scene },
             None => Scene::Planned { scene: &video.settings },
