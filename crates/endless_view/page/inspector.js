@@ -90,8 +90,9 @@ export class Inspector {
     const [x, y, w, h] = seen.best.bbox;
     try {
       const picture = await this.act.picture(seen.camera, seen.best.frame);
-      const side = Math.max(w, h) * 1.25;
-      const [cx, cy] = [x + w / 2, y + h / 2];
+      // A square that stays inside of the picture.
+      const side = Math.min(Math.max(w, h) * 1.25, picture.width, picture.height);
+      const [cx, cy] = [[x + w / 2, picture.width], [y + h / 2, picture.height]].map(([middle, length]) => Math.max(side / 2, Math.min(length - side / 2, middle)));
       canvas.width = 112;
       canvas.height = 112;
       const context = canvas.getContext('2d');

@@ -391,6 +391,8 @@ export class Player {
       }
       for (const [id, points] of own) if ((trails.get(id)?.length ?? 0) < points.length) trails.set(id, points);
     }
+    const seenBy = this.now.get(this.chosen)?.byCamera.keys().next().value;
+    if (this.chosen === null || seenBy !== undefined) this.map.follow(seenBy ?? this.alone);
     this.map.at({ objects: this.now, trails, chosen: this.chosen, poses });
   }
 

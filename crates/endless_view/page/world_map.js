@@ -131,6 +131,11 @@ export class WorldMap {
     this.fit();
   }
 
+  /** The same, unless somebody has moved the map. */
+  follow(camera) {
+    if (!this.touched) this.look(camera);
+  }
+
   /** Looks at one camera, or at all. */
   look(camera) {
     if (camera === this.looked) return;
@@ -293,7 +298,9 @@ export class WorldMap {
     context.font = '600 11px system-ui, sans-serif';
     context.textBaseline = 'middle';
     const text = `${object.class} ${object.id}`;
-    context.fillText(text, Math.min(x + 10, this.canvas.clientWidth - context.measureText(text).width - 6), Math.max(10, y - 10));
+    // Beside the buttons, not under them.
+    const room = this.canvas.clientWidth - context.measureText(text).width - (y < 110 ? 48 : 6);
+    context.fillText(text, Math.min(x + 10, room), Math.max(10, y - 10));
   }
 
   drawScale(pen, w, h) {
