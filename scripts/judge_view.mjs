@@ -125,6 +125,7 @@ async function judgeList(page, url, manifest) {
     await page.getByRole("button", { name: "Clear filters" }).click();
   }
   await page.keyboard.press("/");
+  await page.waitForFunction(() => document.activeElement.type === "search");
   await page.keyboard.type(weather.replaceAll("_", " "));
   await wants("search", (video) => video.weather === weather);
   await page.keyboard.press("Control+A");

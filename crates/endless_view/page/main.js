@@ -91,8 +91,10 @@ addEventListener('keydown', (event) => {
   if (typing) return;
   if (event.key === '?') help.open();
   else if (event.key === '/') {
-    if (player) location.hash = lastList;
-    requestAnimationFrame(() => list.search.focus());
+    if (player) {
+      location.hash = lastList;
+      addEventListener('hashchange', () => list.search.focus(), { once: true });
+    } else list.search.focus();
   } else if (!player?.key(event)) return;
   event.preventDefault();
 });

@@ -88,6 +88,7 @@ export class Player {
       view.site = video.scene.cameras[i] ?? null;
     });
     this.layers = [...new Set(video.views.flatMap((view) => view.layers))];
+    if (this.layers.length && !this.layers.includes(this.layer)) this.layer = this.layers.includes('rgb') ? 'rgb' : this.layers[0];
     this.maskLayer = ['instance', 'panoptic'].find((layer) => this.layers.includes(layer));
     if (this.alone !== null && !video.views[this.alone]) this.alone = null;
     this.objects = video.views.map((view) => (view.has_objects
@@ -96,10 +97,13 @@ export class Player {
       ? new Lines((from, n) => paths.poses(this.number, view.number, from, n)) : null));
     this.lines = video.state === 'complete' && video.scene.frame_lines !== undefined
       ? new Lines((from, n) => paths.frames(this.number, from, n)) : null;
+    this.frame = this.inside(this.frame);
+    // What the first picture needs is on its way while the page is made.
+    for (const view of video.views) if (this.alone === null || this.alone === view.number) this.load({ view }, this.frame).catch(() => {});
+    this.quietLine(this.lines, this.frame);
     this.views = video.views.map((view) => new CameraView(view.number, view, {
       choose: (id) => this.choose(id), solo: (camera) => this.solo(this.alone === camera ? null : camera),
     }));
-    this.frame = this.inside(this.frame);
     this.showMeanings();
     this.showViews();
     this.showBar();
@@ -398,7 +402,7 @@ export class Player {
 
   /** Loads what comes next. */
   ahead(frame, views) {
-    const n = this.playing ? AHEAD : 1;
+    const n = this.playing ? Math.max(1, Math.min(AHEAD, Math.floor(16 / views.length))) : 1;
     for (let next = frame + 1; next <= Math.min(frame + n, this.there - 1); next += 1) {
       for (const view of views) this.load(view, next).catch(() => {});
     }
@@ -440,7 +444,7 @@ export class Player {
     }, el('kbd', { text: key }), title(layer)));
     const others = el('select', {
       class: 'select', 'aria-label': 'Picture', title: 'Which layer is shown', on: { change: (event) => this.setLayer(event.target.value) },
-    }, [...new Set(['rgb', ...this.layers])].map((layer) => el('option', { value: layer, text: title(layer), selected: layer === this.layer })));
+    }, (this.layers.length ? this.layers : ['rgb']).map((layer) => el('option', { value: layer, text: title(layer), selected: layer === this.layer })));
     const blend = el('input', {
       type: 'range', min: '0', max: '1', step: '0.05', class: 'blend', 'aria-label': 'How much of the layer is shown over RGB', title: 'Layer over RGB',
       on: {

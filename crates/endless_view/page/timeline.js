@@ -95,16 +95,25 @@ export class Timeline {
     if (!width || !height) return;
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
-    const context = this.canvas.getContext('2d');
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
     const colors = { line: themeColor('--line'), text: themeColor('--muted'), ink: themeColor('--text'), alarm: themeColor('--alarm') };
     const x = (frame) => frame / this.frames * width;
-    const pen = { context, width, height, x, colors };
-    this.shadeMissing(pen);
-    this.drawCounts(pen);
-    this.drawEvents(pen);
-    this.drawHead(pen);
+    // What is the same in every frame is drawn once.
+    const same = [w, h, this.data, this.incidents, this.there, this.frames, ...Object.values(colors)];
+    if (!this.plate || same.some((value, i) => value !== this.plate.same[i])) {
+      const canvas = new OffscreenCanvas(w, h);
+      const pen = { context: canvas.getContext('2d'), width, height, x, colors };
+      pen.context.scale(ratio, ratio);
+      this.shadeMissing(pen);
+      this.drawCounts(pen);
+      this.drawEvents(pen);
+      this.plate = { canvas, same };
+    }
+    const context = this.canvas.getContext('2d');
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, w, h);
+    context.drawImage(this.plate.canvas, 0, 0);
+    context.scale(ratio, ratio);
+    this.drawHead({ context, height, x, colors });
   }
 
   shadeMissing({ context, width, height, x, colors }) {

@@ -121,6 +121,12 @@ impl Dataset {
         facts.get(&(entry.video, entry.name.clone())).cloned()
     }
 
+    /// Forgets what was known of a video that is not complete any more: it is made again.
+    pub(crate) fn forget_facts(&self, entry: &VideoEntry) {
+        let mut facts = self.facts.lock().unwrap_or_else(PoisonError::into_inner);
+        facts.remove(&(entry.video, entry.name.clone()));
+    }
+
     /// Gathers facts of videos that have none, for a short while; one at a time.
     pub(crate) fn gather_facts(&self, manifest: &Manifest) {
         if self.gathering.swap(true, Ordering::AcqRel) {

@@ -36,7 +36,10 @@ pub(crate) fn overview(dataset: &Dataset, manifest: &Manifest) -> Result<Vec<u8>
     let mut pending = 0;
     let videos = manifest.videos.iter().map(|entry| {
         let complete = entry.state == VideoState::Complete;
-        let facts = if complete { dataset.facts(entry) } else { None };
+        if !complete {
+            dataset.forget_facts(entry);
+        }
+        let facts = dataset.facts(entry);
         pending += usize::from(complete && facts.is_none());
         let recorded = (!complete && begun.contains(&entry.name)).then(|| recorded(dataset, manifest, entry));
         VideoOverview { entry, recorded, facts: facts.flatten() }

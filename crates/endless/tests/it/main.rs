@@ -11,3 +11,4 @@ mod real_city;
 mod scaling;
 mod simulate;
 mod threads;
+mod view;
