@@ -4,7 +4,7 @@
 //! `page/`, which the program holds; it asks for data at `/api` (`docs/view.md`).
 //!
 //! What is asked for is named by numbers and by words of fixed lists: no path ever comes from a request. Paths come from
-//! the dataset alone, and [`DatasetFolder`](folder) opens none that leads out of its folder. Requests under foreign names of
+//! the dataset alone, and `DatasetFolder` opens none that leads out of its folder. Requests under foreign names of
 //! this machine are refused, as are all that would change something.
 //!
 //! ```no_run
