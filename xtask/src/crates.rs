@@ -11,7 +11,7 @@ const LAYERS: &[&[&str]] = &[
     &["endless_road", "endless_asset", "endless_render"],
     &["endless_town", "endless_annotate", "endless_sensor"],
     &["endless_traffic", "endless_city", "endless_dataset"],
-    &["endless_interchange", "endless_export", "endless_statistics"],
+    &["endless_interchange", "endless_export", "endless_statistics", "endless_view"],
     &["endless_pipeline"],
     &["endless_carla"],
     &["endless", "endless_fuzz"],

@@ -43,6 +43,8 @@ pub(crate) enum Command {
     Stats(StatsArgs),
     /// Lay two datasets side by side; one may be a real one in COCO form.
     Compare(CompareArgs),
+    /// Look at a dataset in the browser, also while it is being made.
+    View(ViewArgs),
     /// Time the whole pipeline on a fixed recipe.
     Bench(BenchArgs),
     /// Print the JSON schema of recipes.
@@ -369,6 +371,21 @@ pub(crate) struct StatsOutputs {
     /// Look at one frame of so many, to be done sooner.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) stride: u32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ViewArgs {
+    /// Folder of the dataset.
+    pub(crate) out: PathBuf,
+    /// Port of the page; 0 for any that is free.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) port: u16,
+    /// Address on which to listen: this machine alone, unless another is given.
+    #[arg(long, default_value = "127.0.0.1")]
+    pub(crate) bind: std::net::IpAddr,
+    /// Open the page in the browser.
+    #[arg(long)]
+    pub(crate) open: bool,
 }
 
 #[derive(Debug, Args)]

@@ -21,6 +21,7 @@ mod simulate;
 mod simulate_options;
 mod statistics;
 mod threads;
+mod view;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -64,6 +65,7 @@ fn run() -> ExitCode {
         Command::Export(args) => on_threads(threads, || export::run(&args)),
         Command::Stats(args) => on_threads(threads, || statistics::stats(&args)),
         Command::Compare(args) => on_threads(threads, || statistics::compare(&args)),
+        Command::View(args) => view::run(&args),
         Command::Schema => schema::run(),
         Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args, threads),
         // One more, which answers, and waits while others render.

@@ -13,3 +13,4 @@ mod scaling;
 mod simulate;
 mod statistics;
 mod threads;
+mod view;
