@@ -2,7 +2,7 @@
 
 use crate::across::Across;
 use crate::driver::Driver;
-use crate::filtering::Filtering;
+use crate::filtering::{self, Filtering};
 use crate::incident::Order;
 use crate::kerb_halt::KerbHalt;
 use crate::roads::Roads;
@@ -290,7 +290,11 @@ impl Vehicle {
             return Across::WHOLE;
         }
         let usual_m = self.driver.lateral_m;
-        let Some(way) = self.filtering else { return Across::between(usual_m, usual_m, self.half_width) };
+        let Some(way) = self.filtering else {
+            // Who has just changed lanes may stand aslant in a queue: both ends reach further aside than the middle.
+            let aslant_m = if filtering::queues(self) { self.half_length * self.steer.abs() } else { 0.0 };
+            return Across::between(usual_m - aslant_m, usual_m + aslant_m, self.half_width);
+        };
         let ((now_m, slope), goal_m) = (way.aside(self.rolled), way.goal_m());
         // Who stands aslant has its rear where it comes from.
         let rear_m = now_m - slope * 2.0 * self.half_length;
