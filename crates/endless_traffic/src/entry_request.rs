@@ -33,6 +33,8 @@ pub(crate) struct EntryRequest {
     pub(crate) setback: f64,
     pub(crate) speed: f64,
     pub(crate) waited_s: f64,
+    /// The longest wait that ends when it goes, its own or that of others behind the queue before it, seconds.
+    pub(crate) pressure_s: f64,
     pub(crate) lanes: Vec<LaneId>,
     pub(crate) exit: LaneId,
     pub(crate) control: TrafficControl,
@@ -123,6 +125,7 @@ pub(super) fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle,
                     setback: roads.table(before).setback,
                     speed: vehicle.speed,
                     waited_s: vehicle.waited_s,
+                    pressure_s: vehicle.waited_s,
                     lanes,
                     exit: lane,
                     control,
@@ -210,4 +213,53 @@ pub(super) fn travel_s(distance: f64, speed: f64, acceleration: f64) -> f64 {
         return ((speed * speed + 2.0 * acceleration * distance).sqrt() - speed) / acceleration;
     }
     (top - speed) / acceleration + (distance - ramp) / top
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driver::Driver;
+    use crate::focus::Focus;
+    use crate::roads::TrafficMap;
+    use crate::settings::DrivingCondition;
+    use endless_road::{Lane, Polyline, RoadNetwork};
+    use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
+    use glam::DVec3;
+
+    #[test]
+    fn who_has_waited_for_a_minute_is_let_in_by_those_who_can_stop_at_ease() {
+        let spec = VehicleSpec::default();
+        let line = Polyline::new([DVec3::ZERO, 100.0 * DVec3::X]);
+        let network = RoadNetwork { lanes: vec![Lane::new(LaneId(0), line, 3.5, 13.9)], ..RoadNetwork::default() };
+        let map = TrafficMap::new(network.finish().expect("a lane"), std::slice::from_ref(&spec));
+        let roads = Roads::new(&map, &Focus::default(), &[]);
+        let asset = VehicleRef { model: VehicleModelId::from_index(0), variant: 0 };
+        let vehicles = [0, 1].map(|k| {
+            let mut stream = Stream::named(1, "test.entry_request", &[k]);
+            let driver = Driver::new(&spec, &DrivingCondition::default(), 0.5, &mut stream);
+            Vehicle::new(&spec, asset, driver, LaneId(0), 20.0 + 40.0 * k as f64, stream)
+        });
+        // Two lanes that lead to the same one.
+        let asks = |vehicle: usize, distance: f64, speed: f64, waited_s: f64| EntryRequest {
+            vehicle,
+            junction: JunctionId(0),
+            before: LaneId(vehicle as u32),
+            distance,
+            setback: 0.0,
+            speed,
+            waited_s,
+            pressure_s: waited_s,
+            lanes: vec![LaneId(2 + vehicle as u32)],
+            exit: LaneId(4),
+            control: TrafficControl::Free,
+            held: false,
+        };
+        let lets_in = |distance: f64, speed: f64, waited_s: f64| {
+            yields_to(&roads, &vehicles, &asks(0, distance, speed, 0.0), &asks(1, 1.0, 0.0, waited_s))
+        };
+        assert!(lets_in(60.0, 10.0, LONG_S + 1.0));
+        assert!(!lets_in(60.0, 10.0, LONG_S - 1.0), "it has not waited for long yet");
+        assert!(!lets_in(10.0, 10.0, LONG_S + 1.0), "it would have to brake hard");
+        assert!(lets_in(10.0, 2.0, COURTESY_S + 1.0), "in slow traffic sooner");
+    }
 }

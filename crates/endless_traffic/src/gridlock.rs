@@ -53,7 +53,7 @@ pub(crate) fn circles(
 }
 
 /// The lane at whose end the queue on a lane waits, as the way of somebody in it tells.
-fn queue_of(roads: &Roads, vehicle: &Vehicle, exit: LaneId) -> Option<LaneId> {
+pub(crate) fn queue_of(roads: &Roads, vehicle: &Vehicle, exit: LaneId) -> Option<LaneId> {
     let onwards = vehicle.route.iter().copied().skip_while(|&lane| lane != exit);
     onwards.take_while(|&lane| roads.table(lane).junction.is_none()).last()
 }

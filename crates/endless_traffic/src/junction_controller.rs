@@ -8,6 +8,7 @@ use super::entry_request::{
     EntryRequest, STANDS_MPS, approach_control, aspect, goes_before, request, sign_allows, stopping_m, travel_s,
     yields_to,
 };
+use crate::exit_pressure::pressures_s;
 use crate::gridlock;
 use crate::occupancy::{Leader, Occupancy};
 use crate::overlap::SweptApproach;
@@ -26,8 +27,10 @@ const ANOTHER_M: f64 = 8.0;
 const RING_SHARE: f64 = 0.5;
 /// Seconds of waiting after which room on the next road alone is enough.
 const CHANCE_S: f64 = 40.0;
-/// Room is kept for who has waited at the line for so long, a light's whole cycle, seconds.
-const STARVES_S: f64 = 75.0;
+/// Who joins a ring leaves that much for so long, a light's whole cycle, seconds.
+const JOINS_RING_S: f64 = 75.0;
+/// Room is kept for who has waited at the line for so long, or has somebody behind it who has, seconds.
+const STARVES_S: f64 = 20.0;
 /// They follow a queue that moves off, as if it went on for so long, seconds.
 const MOVES_ON_S: f64 = 4.0;
 /// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
@@ -99,8 +102,10 @@ impl JunctionController {
             let is_there = vehicle.waited_s > 0.0 || vehicle.stuck_s > 0.0;
             vehicle.stuck_s = if is_there && vehicle.speed < CREEPS_MPS { vehicle.stuck_s + step_s } else { 0.0 };
         }
+        let pressures_s = pressures_s(roads, occupancy, vehicles, &requests);
+        requests.iter_mut().zip(pressures_s).for_each(|(request, pressure_s)| request.pressure_s = pressure_s);
         // Who has waited longest is asked first, or others might take the room beyond for ever.
-        requests.sort_by(|a, b| b.waited_s.total_cmp(&a.waited_s));
+        requests.sort_by(|a, b| b.pressure_s.total_cmp(&a.pressure_s));
         let has_room = |request: &EntryRequest| self.has_exit_space(roads, occupancy, vehicles, &requests, request);
         // Who stands at a line without room beyond goes nowhere: others neither wait for them nor let them go first.
         let goes_nowhere: Vec<bool> =
@@ -181,7 +186,7 @@ impl JunctionController {
         let patient = request.waited_s < CHANCE_S;
         let [before, exit] = [request.before, request.exit].map(|lane| roads.table(lane));
         let left = if exit.leads_back && !before.leads_back {
-            if request.waited_s < STARVES_S { RING_SHARE * exit.length } else { ANOTHER_M }
+            if request.waited_s < JOINS_RING_S { RING_SHARE * exit.length } else { ANOTHER_M }
         } else if patient && request.control == TrafficControl::Yield {
             ANOTHER_M
         } else {
@@ -322,14 +327,13 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
         || !lanes.iter().any(|&lane| roads.table(lane).sweeps.approaches.iter().any(stands_there))
 }
 
-/// Room beyond the junction that is kept for somebody who has waited long to get there, and longer than who asks, metres: where
-/// there is room for few, and lights let others go first whenever there is any, they would never get on. Nobody keeps it for those
-/// behind or beside them, who wait until they have gone.
+/// Room beyond the junction that is kept for somebody who has waited long to get there, or for whom others have, and longer than for
+/// who asks, metres: where there is room for few, and lights let others go first whenever there is any, they would never get on.
+/// Nobody keeps it for those behind or beside them, who wait until they have gone.
 fn kept_free_m(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> f64 {
-    let stuck_s = |r: &EntryRequest| vehicles[r.vehicle].stuck_s.max(r.waited_s);
-    let starves = |r: &&EntryRequest| stuck_s(r) > STARVES_S.max(stuck_s(request)) && r.at_the_line();
+    let starves = |r: &&EntryRequest| r.pressure_s > STARVES_S.max(request.pressure_s) && r.at_the_line();
     let there = requests.iter().filter(|r| r.exit == request.exit && r.before != request.before);
-    let longest = there.filter(starves).max_by(|a, b| stuck_s(a).total_cmp(&stuck_s(b)));
+    let longest = there.filter(starves).max_by(|a, b| a.pressure_s.total_cmp(&b.pressure_s));
     longest.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
 }
 
@@ -430,3 +434,6 @@ fn release_behind(roads: &Roads, occupancy: &Occupancy, vehicles: &mut [Vehicle]
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -67,6 +67,7 @@ mod double_parking;
 mod driver;
 mod emergency;
 mod entry_request;
+mod exit_pressure;
 mod filtering;
 mod focus;
 mod gap_acceptance;

@@ -16,6 +16,8 @@ use std::collections::VecDeque;
 
 /// How far ahead a route is planned, metres.
 pub(crate) const HORIZON_M: f64 = 200.0;
+/// Slower than this somebody stands or crawls in a queue, m/s.
+const QUEUES_MPS: f64 = 2.0;
 
 /// Leave to cross a junction. Vehicles pass a place where their ways overlap in the order of `order`.
 #[derive(Debug, Clone)]
@@ -290,7 +292,12 @@ impl Vehicle {
             return Across::WHOLE;
         }
         let usual_m = self.driver.lateral_m;
-        let Some(way) = self.filtering else { return Across::between(usual_m, usual_m, self.half_width) };
+        let Some(way) = self.filtering else {
+            // Who has just changed lanes may stand aslant in a queue: both ends reach further aside than the middle.
+            let queues = self.speed < QUEUES_MPS && self.rights_of_way.is_empty();
+            let aslant_m = if queues { self.half_length * self.steer.abs() } else { 0.0 };
+            return Across::between(usual_m - aslant_m, usual_m + aslant_m, self.half_width);
+        };
         let ((now_m, slope), goal_m) = (way.aside(self.rolled), way.goal_m());
         // Who stands aslant has its rear where it comes from.
         let rear_m = now_m - slope * 2.0 * self.half_length;

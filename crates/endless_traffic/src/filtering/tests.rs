@@ -100,6 +100,16 @@ fn riders_go_between_lanes_at_a_red_light_alone() {
 }
 
 #[test]
+fn riders_stay_behind_who_stands_aslant() {
+    let roads = street(2, 3.3);
+    let mut queue = [vehicle(&roads, 0, 1, 150.0, 7.0), vehicle(&roads, 1, 1, 190.0, 0.0)];
+    assert!(way(&roads, &queue, RED).is_some());
+    // It stopped where a change of lanes ended.
+    queue[1].steer = -0.1;
+    assert!(way(&roads, &queue, RED).is_none(), "its rear would be touched");
+}
+
+#[test]
 fn riders_stay_behind_who_leaves_no_room() {
     let roads = street(2, 3.3);
     let rider = || vehicle(&roads, 0, 1, 150.0, 7.0);
