@@ -33,6 +33,7 @@ mod durable;
 mod encoding;
 mod error;
 mod flow;
+mod instance_reader;
 mod json_lines;
 mod labels;
 mod layer;
@@ -69,6 +70,7 @@ pub use encoding::{
     depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance, rgb_from_metres,
 };
 pub use error::DatasetError;
+pub use instance_reader::InstanceReader;
 pub use json_lines::{LinesWriter, read_lines};
 pub use labels::LabelSchema;
 pub use layer::{Layer, LayerEntry};

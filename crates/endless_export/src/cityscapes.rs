@@ -119,7 +119,8 @@ impl Exporter for Cityscapes {
             let make = |frame: &LabelledFrame<'_>| {
                 let name = format!("{city}_{place:06}_{:06}", frame.frame);
                 place_png(video, frame, &format!("leftImg8bit/{folder}/{name}_leftImg8bit.png"))?;
-                let labels = labels(&frame.instance()?);
+                let instance = frame.instance()?;
+                let labels = labels(&instance);
                 let write = |kind: &str, bytes: &[u8]| {
                     target
                         .path(format!("gtFine/{folder}/{name}_gtFine_{kind}.png"))

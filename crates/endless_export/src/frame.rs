@@ -1,9 +1,9 @@
 //! One labelled frame of a camera.
 
-use crate::{ClassMapping, ExportError, Sequence};
+use crate::{ClassMapping, ExportError, PooledInstance, Sequence};
 use endless_annotate::{FrameObjects, ObjectRecord, PixelBox};
-use endless_dataset::{DatasetError, Layer, StoredImage, instance_from_rgb, read_rgb};
-use endless_world::{Image, ImageSize, InstancePixel};
+use endless_dataset::{DatasetError, Layer, StoredImage, read_rgb};
+use endless_world::ImageSize;
 
 /// An object of a frame that is exported.
 #[derive(Debug, Clone)]
@@ -82,12 +82,9 @@ impl<'a> LabelledFrame<'a> {
     ///
     /// # Errors
     /// When the instance image cannot be read.
-    pub fn instance(&self) -> Result<Image<InstancePixel>, ExportError> {
-        let path = || self.sequence.image(Layer::Instance, self.frame);
-        let stored = self.read(Layer::Instance)?;
-        let rgb = stored.rgb8().map_err(|reason| DatasetError::malformed(path(), reason))?;
-        let image = instance_from_rgb(rgb);
-        Ok(image.map_err(|tag| DatasetError::malformed(path(), format!("has the tag {tag}: they end at 28")))?)
+    pub fn instance(&self) -> Result<PooledInstance, ExportError> {
+        let path = self.sequence.image(Layer::Instance, self.frame);
+        Ok(PooledInstance::read(|reader| reader.read(&path, self.sequence.output.size).map(|_image| ()))?)
     }
 }
 

@@ -1,6 +1,6 @@
 //! An object as COCO has it.
 
-use crate::{ExportError, Label, LabelledFrame, job::Export, outline::outlines};
+use crate::{ExportError, Label, LabelledFrame, PooledInstance, job::Export, outline::outlines};
 use endless_annotate::visible_mask;
 use endless_world::{Image, InstancePixel};
 use serde_json::{Map, Value, json};
@@ -50,7 +50,7 @@ pub(super) fn annotation(
     entry
 }
 
-/// The instance image of a frame, if anything is labelled in it; of no size where nothing is.
-pub(super) fn instance_if_labelled(frame: &LabelledFrame<'_>) -> Result<Option<Image<InstancePixel>>, ExportError> {
+/// The instance image of a frame, if anything is labelled in it.
+pub(super) fn instance_if_labelled(frame: &LabelledFrame<'_>) -> Result<Option<PooledInstance>, ExportError> {
     if frame.labels.is_empty() { Ok(None) } else { frame.instance().map(Some) }
 }

@@ -75,7 +75,8 @@ impl Exporter for CocoPanoptic {
                 let file_name = format!("{}.{}", frame.name(), sequence.extension(Layer::Rgb));
                 video.place_image(frame, Layer::Rgb, &format!("images/{split}/{file_name}"))?;
                 let things = frame.labels.iter().map(|l| (l.object.id, video.export.classes.id(l.class))).collect();
-                let (segments, picture) = segments(&frame.instance()?, &things);
+                let instance = frame.instance()?;
+                let (segments, picture) = segments(&instance, &things);
                 let png = format!("{}.png", frame.name());
                 let path = video.export.target.path(format!("annotations/panoptic_{split}/{png}"))?;
                 write_atomic(&path, &encode_png(&picture))?;

@@ -152,7 +152,7 @@ impl Exporter for ParquetTables {
             let make = |frame: &LabelledFrame<'_>| {
                 let instance = if masks && !frame.labels.is_empty() { Some(frame.instance()?) } else { None };
                 let row = |label: &Label| {
-                    object_row(frame, label, &export.classes.classes[label.class].name, instance.as_ref())
+                    object_row(frame, label, &export.classes.classes[label.class].name, instance.as_deref())
                 };
                 Ok((frame_row(frame), frame.labels.iter().map(row).collect::<Vec<_>>()))
             };

@@ -94,7 +94,7 @@ impl Exporter for Yolo {
                     &format!("images/{split}/{name}.{}", sequence.extension(Layer::Rgb)),
                 )?;
                 let image = if needs_masks && !frame.labels.is_empty() { Some(frame.instance()?) } else { None };
-                let line = |label: &Label| self.line(&classes, label, sequence.output.size, image.as_ref());
+                let line = |label: &Label| self.line(&classes, label, sequence.output.size, image.as_deref());
                 let lines: String = frame.labels.iter().map(line).collect();
                 video.export.target.write(format!("labels/{split}/{name}.txt"), lines.as_bytes())
             };

@@ -17,7 +17,7 @@ fn copy(from: &Path, to: &Path) {
         let path = entry.expect("readable").path();
         let target = to.join(path.file_name().expect("a name"));
         if path.is_dir() {
-            copy(&path, &target)
+            copy(&path, &target);
         } else {
             let _bytes = fs::copy(&path, &target).expect("writable");
         }
@@ -90,7 +90,7 @@ fn the_whole_dataset_is_exported_where_it_has_what_is_needed() {
         match format {
             // It is of a simulator that does not tell who is who.
             Format::Market1501 | Format::Veri => {
-                assert!(made.expect_err("no actors").to_string().contains("actors.json"))
+                assert!(made.expect_err("no actors").to_string().contains("actors.json"));
             }
             _ => assert_eq!(made.expect("whole").frames, 4, "{}", format.name()),
         }
