@@ -6,7 +6,11 @@ use std::{
     process::Command,
 };
 
-/// Everything that decides the bytes which a build writes: the sources of all crates, and which libraries they use.
+/// Crates that only read datasets: nothing in them decides what is in one.
+const READERS: [&str; 3] = ["endless_export", "endless_statistics", "endless_view"];
+
+/// Everything that decides the bytes which a build writes: the sources of the crates that make datasets, and which libraries they
+/// use.
 pub(crate) struct Sources {
     root: PathBuf,
     /// Files and folders, sorted.
@@ -24,7 +28,8 @@ impl Sources {
             Some(root) => list(&root.join("crates"))?,
             None => vec![root.clone()],
         };
-        for folder in crates {
+        let is_reader = |folder: &PathBuf| READERS.iter().any(|name| folder.ends_with(name));
+        for folder in crates.into_iter().filter(|folder| !is_reader(folder)) {
             inputs.extend(["Cargo.toml", "src", "build"].map(|name| folder.join(name)));
         }
         inputs.retain(|path| path.exists());
