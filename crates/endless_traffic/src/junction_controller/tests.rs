@@ -18,7 +18,8 @@ use glam::DVec3;
 /// ```
 fn streets() -> Roads {
     let line = |points: &[[f64; 2]]| Polyline::new(points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)));
-    let ways: [(&[[f64; 2]], Option<u16>, Option<u32>); 10] = [
+    type Way<'a> = (&'a [[f64; 2]], Option<u16>, Option<u32>);
+    let ways: [Way<'_>; 10] = [
         (&[[0.0, 0.0], [100.0, 0.0]], None, Some(1)),
         (&[[100.0, 0.0], [115.0, 0.0]], Some(0), Some(2)),
         (&[[115.0, 0.0], [145.0, 0.0]], None, Some(3)),
