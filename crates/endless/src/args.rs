@@ -325,7 +325,7 @@ pub(crate) struct ExportArgs {
     /// Copy images.
     #[arg(long)]
     pub(crate) copy: bool,
-    /// Link to the dataset's images [default].
+    /// Link to the dataset's images, as is done by default.
     #[arg(long, conflicts_with = "copy")]
     pub(crate) link: bool,
 }

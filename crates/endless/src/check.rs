@@ -1,16 +1,12 @@
 //! `endless check`.
 
-use crate::{args::CheckArgs, exit::FAILURE};
+use crate::{args::CheckArgs, exit::FAILURE, progress_bar::bar_of};
 use anyhow::{Context, Result};
 use endless_dataset::{CheckOptions, DatasetError, check_with};
-use indicatif::{ProgressBar, ProgressStyle};
-use std::{
-    io::{IsTerminal, Write},
-    process::ExitCode,
-};
+use std::{io::Write, process::ExitCode};
 
 pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
-    let bar = bar();
+    let bar = bar_of("frames of images and videos");
     let progress = |done, total| {
         bar.set_length(total);
         bar.set_position(done);
@@ -36,17 +32,5 @@ pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
             eprintln!("error: {wrong} findings in {counts}");
             Ok(ExitCode::from(FAILURE))
         }
-    }
-}
-
-/// Hidden where stderr is no terminal.
-fn bar() -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(0);
-    match ProgressStyle::with_template("[{bar:30}] {pos}/{len} frames of images and videos, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_its_own_style) => bar,
     }
 }

@@ -1,11 +1,10 @@
 //! `endless export`.
 
-use crate::args::ExportArgs;
+use crate::{args::ExportArgs, progress_bar::bar_of};
 use anyhow::{Context, Result};
 use endless_export::{ClassMapping, ExportOptions, Format, Placing, export};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::{
-    io::{self, IsTerminal, Write},
+    io::{self, Write},
     process::ExitCode,
 };
 
@@ -19,7 +18,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<ExitCode> {
         Some(path) if path.as_os_str() == "coco" => ClassMapping::coco(),
         Some(path) => ClassMapping::read(path)?,
     };
-    let bar = bar();
+    let bar = bar_of("frames");
     let progress = |done, total| {
         bar.set_length(total);
         bar.set_position(done);
@@ -53,16 +52,4 @@ fn list(out: &mut impl Write) -> Result<()> {
         writeln!(out, "{:<16} {:<58} needs {}", format.name(), entry.about, layers.join(","))?;
     }
     Ok(())
-}
-
-/// Hidden where stderr is no terminal.
-fn bar() -> ProgressBar {
-    if !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(0);
-    match ProgressStyle::with_template("[{bar:30}] {pos}/{len} frames, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_its_own_style) => bar,
-    }
 }

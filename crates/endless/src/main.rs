@@ -13,6 +13,7 @@ mod generate;
 mod log;
 mod maps;
 mod memory;
+mod progress_bar;
 mod recipe_args;
 mod report;
 mod schema;

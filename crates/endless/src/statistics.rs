@@ -2,15 +2,11 @@
 
 use crate::args::{CompareArgs, StatsArgs, StatsOutputs};
 use crate::file::{make_folder_of, write};
+use crate::progress_bar::bar_of;
 use anyhow::{Result, bail};
 use endless_dataset::{DatasetError, write_json_durable};
 use endless_statistics::{CocoClasses, Comparison, DatasetStatistics, GatherOptions, Report};
-use indicatif::{ProgressBar, ProgressStyle};
-use std::{
-    io::{IsTerminal, Write},
-    path::Path,
-    process::ExitCode,
-};
+use std::{io::Write, path::Path, process::ExitCode};
 
 pub(crate) fn stats(args: &StatsArgs) -> Result<ExitCode> {
     may_be_written(&args.outputs)?;
@@ -47,7 +43,7 @@ pub(crate) fn compare(args: &CompareArgs) -> Result<ExitCode> {
 }
 
 fn of_dataset(folder: &Path, stride: u32) -> Result<DatasetStatistics> {
-    let bar = bar();
+    let bar = bar_of("camera frames");
     let progress = |done, total| {
         bar.set_length(total);
         bar.set_position(done);
@@ -91,16 +87,4 @@ fn write_all(
         std::io::stdout().lock().write_all(report().text().as_bytes())?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// Hidden where stderr is no terminal.
-fn bar() -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(0);
-    match ProgressStyle::with_template("[{bar:30}] {pos}/{len} camera frames, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_its_own_style) => bar,
-    }
 }

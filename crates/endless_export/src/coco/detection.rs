@@ -2,14 +2,13 @@
 
 use super::{
     annotation::{Masks, annotation, instance_if_labelled},
-    document::{CocoImage, Document, categories, image_id, line},
+    document::{Document, categories, line, write_parts},
 };
 use crate::{
-    ExportError, LabelledFrame,
+    ExportError,
     exporter::Exporter,
     job::{Export, VideoJob},
 };
-use endless_dataset::Layer;
 
 /// Boxes and masks.
 #[derive(Debug)]
@@ -42,29 +41,11 @@ impl CocoDetection {
 
 impl Exporter for CocoDetection {
     fn video(&self, video: &VideoJob<'_>) -> Result<(), ExportError> {
-        let (mut images, mut annotations) = (video.create_part(IMAGES)?, video.create_part(ANNOTATIONS)?);
-        let folder = self.folder(video.split());
-        for (place, sequence) in video.sequences() {
-            let before = video.export.frames_before(place);
-            let make = |frame: &LabelledFrame<'_>| {
-                let file_name = format!("{}.{}", frame.name(), sequence.extension(Layer::Rgb));
-                video.place_image(frame, Layer::Rgb, &format!("{folder}/{file_name}"))?;
-                let mut lines = String::new();
-                if let Some(instance) = instance_if_labelled(frame)? {
-                    let id = image_id(frame, before);
-                    for label in &frame.labels {
-                        lines.push_str(&line(&annotation(video.export, id, label, &instance, self.masks)));
-                    }
-                }
-                Ok((line(&CocoImage::new(frame, before, file_name)), lines))
-            };
-            video.frames(sequence, make, |(image, lines)| {
-                images.write(image.as_bytes())?;
-                Ok(annotations.write(lines.as_bytes())?)
-            })?;
-        }
-        images.finish()?;
-        Ok(annotations.finish()?)
+        write_parts(video, &self.folder(video.split()), [IMAGES, ANNOTATIONS], |frame, id| {
+            let Some(instance) = instance_if_labelled(frame)? else { return Ok(String::new()) };
+            let entry = |label| line(&annotation(video.export, id, label, &instance, self.masks));
+            Ok(frame.labels.iter().map(entry).collect())
+        })
     }
 
     fn finish(&self, export: &Export<'_>) -> Result<(), ExportError> {

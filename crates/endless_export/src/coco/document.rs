@@ -1,14 +1,17 @@
 //! The JSON file of a part: joined from the lines of its videos, so that memory holds one line.
 
-use crate::{ExportError, LabelledFrame, job::Export};
-use endless_dataset::AtomicFile;
+use crate::{
+    ExportError, LabelledFrame,
+    job::{Export, VideoJob},
+};
+use endless_dataset::{AtomicFile, Layer};
 use endless_world::ObjectClass;
 use serde::Serialize;
 use serde_json::{Value, json};
 
 /// An entry of `images`.
 #[derive(Debug, Serialize)]
-pub(super) struct CocoImage<'a> {
+struct CocoImage<'a> {
     id: usize,
     width: u32,
     height: u32,
@@ -24,12 +27,12 @@ pub(super) struct CocoImage<'a> {
 }
 
 impl<'a> CocoImage<'a> {
-    /// Of a frame whose sequence comes after so many frames.
-    pub(super) fn new(frame: &LabelledFrame<'a>, frames_before: usize, file_name: String) -> Self {
+    /// Of a frame, by its place among all that are exported, from 1.
+    fn new(frame: &LabelledFrame<'a>, id: usize, file_name: String) -> Self {
         let sequence = frame.sequence;
         let video = &sequence.video;
         Self {
-            id: image_id(frame, frames_before),
+            id,
             width: sequence.output.size.width,
             height: sequence.output.size.height,
             file_name,
@@ -43,11 +46,6 @@ impl<'a> CocoImage<'a> {
             time_s: frame.time_s,
         }
     }
-}
-
-/// The number of an image: its place among all that are exported, from 1.
-pub(super) fn image_id(frame: &LabelledFrame<'_>, frames_before: usize) -> usize {
-    frames_before + frame.place + 1
 }
 
 /// A line of a part.
@@ -65,6 +63,32 @@ pub(super) fn categories(export: &Export<'_>) -> Vec<Value> {
             json!({"id": export.classes.id(place), "name": class.name, "supercategory": supercategory})
         })
         .collect()
+}
+
+/// Writes the parts of a video: the entry of each image, and what `annotate` says of it, which gets the image's number. Pictures
+/// go to `folder`.
+pub(super) fn write_parts(
+    video: &VideoJob<'_>,
+    folder: &str,
+    [images, annotations]: [&str; 2],
+    annotate: impl Fn(&LabelledFrame<'_>, usize) -> Result<String, ExportError> + Sync,
+) -> Result<(), ExportError> {
+    let (mut images, mut annotations) = (video.create_part(images)?, video.create_part(annotations)?);
+    for (place, sequence) in video.sequences() {
+        let before = video.export.frames_before(place);
+        let make = |frame: &LabelledFrame<'_>| {
+            let file_name = format!("{}.{}", frame.name(), sequence.extension(Layer::Rgb));
+            video.place_image(frame, Layer::Rgb, &format!("{folder}/{file_name}"))?;
+            let id = before + frame.place + 1;
+            Ok((line(&CocoImage::new(frame, id, file_name)), annotate(frame, id)?))
+        };
+        video.frames(sequence, make, |(image, lines)| {
+            images.write(image.as_bytes())?;
+            Ok(annotations.write(lines.as_bytes())?)
+        })?;
+    }
+    images.finish()?;
+    Ok(annotations.finish()?)
 }
 
 /// Which lines become a file.

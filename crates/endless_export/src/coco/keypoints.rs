@@ -2,14 +2,13 @@
 
 use super::{
     annotation::{Masks, annotation, instance_if_labelled},
-    document::{CocoImage, Document, image_id, line},
+    document::{Document, line, write_parts},
 };
 use crate::{
-    ExportError, LabelledFrame,
+    ExportError, Label,
     exporter::Exporter,
     job::{Export, VideoJob},
 };
-use endless_dataset::Layer;
 use endless_world::{KEYPOINT_LIMBS, KEYPOINTS};
 use serde_json::json;
 
@@ -22,32 +21,18 @@ const ANNOTATIONS: &str = "keypoints";
 
 impl Exporter for CocoKeypoints {
     fn video(&self, video: &VideoJob<'_>) -> Result<(), ExportError> {
-        let (mut images, mut annotations) = (video.create_part(IMAGES)?, video.create_part(ANNOTATIONS)?);
-        for (place, sequence) in video.sequences() {
-            let before = video.export.frames_before(place);
-            let make = |frame: &LabelledFrame<'_>| {
-                let file_name = format!("{}.{}", frame.name(), sequence.extension(Layer::Rgb));
-                video.place_image(frame, Layer::Rgb, &format!("images/{}/{file_name}", video.split()))?;
-                let mut lines = String::new();
-                if let Some(instance) = instance_if_labelled(frame)? {
-                    let id = image_id(frame, before);
-                    for label in frame.labels.iter().filter(|label| label.object.keypoints.is_some()) {
-                        let mut entry = annotation(video.export, id, label, &instance, Masks::RunLengths);
-                        entry.insert("category_id".into(), json!(1));
-                        entry.insert("keypoints".into(), json!(label.object.keypoints));
-                        entry.insert("num_keypoints".into(), json!(label.object.num_keypoints));
-                        lines.push_str(&line(&entry));
-                    }
-                }
-                Ok((line(&CocoImage::new(frame, before, file_name)), lines))
+        write_parts(video, &format!("images/{}", video.split()), [IMAGES, ANNOTATIONS], |frame, id| {
+            let Some(instance) = instance_if_labelled(frame)? else { return Ok(String::new()) };
+            let people = frame.labels.iter().filter(|label| label.object.keypoints.is_some());
+            let entry = |label: &Label| {
+                let mut entry = annotation(video.export, id, label, &instance, Masks::RunLengths);
+                entry.insert("category_id".into(), json!(1));
+                entry.insert("keypoints".into(), json!(label.object.keypoints));
+                entry.insert("num_keypoints".into(), json!(label.object.num_keypoints));
+                line(&entry)
             };
-            video.frames(sequence, make, |(image, lines)| {
-                images.write(image.as_bytes())?;
-                Ok(annotations.write(lines.as_bytes())?)
-            })?;
-        }
-        images.finish()?;
-        Ok(annotations.finish()?)
+            Ok(people.map(entry).collect())
+        })
     }
 
     fn finish(&self, export: &Export<'_>) -> Result<(), ExportError> {

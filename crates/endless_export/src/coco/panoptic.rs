@@ -1,12 +1,12 @@
 //! COCO's panoptic segmentation: `annotations/panoptic_train.json` beside `annotations/panoptic_train/`.
 
-use super::document::{CocoImage, Document, categories, image_id, line};
+use super::document::{Document, categories, line, write_parts};
 use crate::{
-    ExportError, LabelledFrame,
+    ExportError,
     exporter::Exporter,
     job::{Export, VideoJob},
 };
-use endless_dataset::{Layer, encode_png, write_atomic};
+use endless_dataset::{encode_png, write_atomic};
 use endless_world::{ClassTag, Image, InstanceId, InstancePixel};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -67,36 +67,21 @@ fn segments(
 
 impl Exporter for CocoPanoptic {
     fn video(&self, video: &VideoJob<'_>) -> Result<(), ExportError> {
-        let (mut images, mut annotations) = (video.create_part(IMAGES)?, video.create_part(ANNOTATIONS)?);
-        for (place, sequence) in video.sequences() {
-            let before = video.export.frames_before(place);
-            let make = |frame: &LabelledFrame<'_>| {
-                let split = video.split();
-                let file_name = format!("{}.{}", frame.name(), sequence.extension(Layer::Rgb));
-                video.place_image(frame, Layer::Rgb, &format!("images/{split}/{file_name}"))?;
-                let things = frame.labels.iter().map(|l| (l.object.id, video.export.classes.id(l.class))).collect();
-                let instance = frame.instance()?;
-                let (segments, picture) = segments(&instance, &things);
-                let png = format!("{}.png", frame.name());
-                let path = video.export.target.path(format!("annotations/panoptic_{split}/{png}"))?;
-                write_atomic(&path, &encode_png(&picture))?;
-                let infos: Vec<Value> = segments
-                    .iter()
-                    .map(|(id, s)| {
-                        let bbox = [s.x[0], s.y[0], s.x[1] - s.x[0] + 1, s.y[1] - s.y[0] + 1];
-                        json!({"id": id, "category_id": s.category, "area": s.area, "bbox": bbox, "iscrowd": 0})
-                    })
-                    .collect();
-                let entry = json!({"image_id": image_id(frame, before), "file_name": png, "segments_info": infos});
-                Ok((line(&CocoImage::new(frame, before, file_name)), line(&entry)))
+        let split = video.split();
+        write_parts(video, &format!("images/{split}"), [IMAGES, ANNOTATIONS], |frame, id| {
+            let things = frame.labels.iter().map(|l| (l.object.id, video.export.classes.id(l.class))).collect();
+            let instance = frame.instance()?;
+            let (segments, picture) = segments(&instance, &things);
+            let png = format!("{}.png", frame.name());
+            let path = video.export.target.path(format!("annotations/panoptic_{split}/{png}"))?;
+            write_atomic(&path, &encode_png(&picture))?;
+            let info = |(id, s): (&u32, &Segment)| {
+                let bbox = [s.x[0], s.y[0], s.x[1] - s.x[0] + 1, s.y[1] - s.y[0] + 1];
+                json!({"id": id, "category_id": s.category, "area": s.area, "bbox": bbox, "iscrowd": 0})
             };
-            video.frames(sequence, make, |(image, entry)| {
-                images.write(image.as_bytes())?;
-                Ok(annotations.write(entry.as_bytes())?)
-            })?;
-        }
-        images.finish()?;
-        Ok(annotations.finish()?)
+            let infos: Vec<Value> = segments.iter().map(info).collect();
+            Ok(line(&json!({"image_id": id, "file_name": png, "segments_info": infos})))
+        })
     }
 
     fn finish(&self, export: &Export<'_>) -> Result<(), ExportError> {
