@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::{
     collections::BTreeSet,
     fs::{self, File},
-    io::{BufRead, BufReader},
+    io::{self, BufRead, BufReader},
     path::{Path, PathBuf},
     sync::{Mutex, PoisonError},
 };
@@ -40,16 +40,16 @@ impl Target {
     /// Takes a folder for what is asked for, or goes on with it.
     pub(crate) fn open(root: &Path, asked: &Value) -> Result<Opened, ExportError> {
         let taken = |reason| ExportError::Target { reason, path: root.to_owned() };
-        let record = root.join(RECORD);
+        let (record, work) = (root.join(RECORD), root.join(WORK));
         if record.is_file() {
             let same = read_json::<Value>(&record).is_ok_and(|made| made == *asked);
-            return if same {
-                Ok(Opened::Complete)
-            } else {
-                Err(taken("holds an export of something else: remove it, or choose another folder with --to"))
-            };
+            if !same {
+                return Err(taken("holds an export of something else: remove it, or choose another folder with --to"));
+            }
+            // A run that was killed at its very end leaves its work behind.
+            remove(&work)?;
+            return Ok(Opened::Complete);
         }
-        let work = root.join(WORK);
         let request = work.join("request.json");
         if request.is_file() {
             if read_json::<Value>(&request)? != *asked {
@@ -149,9 +149,17 @@ impl Target {
     /// All is there.
     pub(crate) fn finish(self, asked: &Value) -> Result<(), ExportError> {
         write_json(&self.root.join(RECORD), asked)?;
-        let work = self.root.join(WORK);
-        fs::remove_dir_all(&work).map_err(|e| DatasetError::io("cannot remove", &work, e))?;
-        Ok(())
+        remove(&self.root.join(WORK))
+    }
+}
+
+/// Removes a folder, if it is there.
+fn remove(folder: &Path) -> Result<(), ExportError> {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            Err(DatasetError::io("cannot remove", folder, error).into())
+        }
+        _ => Ok(()),
     }
 }
 
@@ -189,6 +197,10 @@ mod tests {
         assert_eq!(target.part_lines("images", 2).expect("readable").count(), 0);
         target.finish(&asked).expect("writable");
         assert_eq!(open(&root, &asked).expect_err("done"), "complete");
+        // Killed after the record was written and before the work was gone.
+        fs::create_dir_all(root.join(WORK).join("parts")).expect("writable");
+        assert_eq!(open(&root, &asked).expect_err("done"), "complete");
+        assert!(!root.join(WORK).exists());
         assert!(open(&root, &other).expect_err("other").contains("holds an export of something else"));
     }
 
