@@ -12,7 +12,7 @@ use crate::{
     png::encode_grey8,
 };
 use endless_annotate::ActorRecord;
-use endless_dataset::{Layer, read_actors};
+use endless_dataset::{AtomicFile, Layer, read_actors};
 use endless_world::{Image, ImageSize, InstanceId};
 use glam::{DMat3, DVec3};
 use serde_json::{Value, json};
@@ -25,8 +25,8 @@ pub(crate) struct NuScenes;
 /// Folder of the tables: the devkit's `version`.
 const VERSION: &str = "v1.0-endless";
 /// Tables that come of videos.
-const ROWS: [&str; 9] =
-    ["scene", "sample", "sample_data", "ego_pose", "calibrated_sensor", "sample_annotation", "instance", "log", "part"];
+const ROWS: [&str; 8] =
+    ["scene", "sample", "sample_data", "ego_pose", "calibrated_sensor", "sample_annotation", "instance", "log"];
 /// Microseconds at which videos begin: one after another, an hour apart.
 const FIRST_US: u64 = 1_500_000_000_000_000;
 const APART_US: u64 = 3_600_000_000;
@@ -42,15 +42,19 @@ fn camera_from_body() -> DMat3 {
     DMat3::from_cols(DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y)
 }
 
+/// The token of an instant of a video.
+fn sample_token(video: &str, frame: u32) -> String {
+    token("sample", &[video, &frame.to_string()])
+}
+
 /// The rows of a video.
-struct Rows<'v, 'e> {
-    video: &'v VideoJob<'e>,
+struct Rows<'v> {
     name: &'v str,
     actors: BTreeMap<InstanceId, ActorRecord>,
     /// The last annotation of each object, which waits for the next one.
     last: BTreeMap<InstanceId, Value>,
     counts: BTreeMap<InstanceId, (String, String, u32)>,
-    text: BTreeMap<&'static str, String>,
+    parts: BTreeMap<&'static str, AtomicFile>,
 }
 
 /// An object of a sample.
@@ -70,47 +74,44 @@ struct Instant {
     seen: Vec<Seen>,
 }
 
-impl Rows<'_, '_> {
-    fn put(&mut self, table: &'static str, row: &Value) {
-        let text = self.text.entry(table).or_default();
-        *text += &row.to_string();
-        text.push('\n');
+impl Rows<'_> {
+    fn put(&mut self, table: &'static str, row: &Value) -> Result<(), ExportError> {
+        let part = self.parts.get_mut(table).expect("a part a table");
+        Ok(part.write((row.to_string() + "\n").as_bytes())?)
     }
 
-    fn sample_token(&self, frame: u32) -> String {
-        token("sample", &[self.name, &frame.to_string()])
-    }
-
-    fn annotate(&mut self, frame: u32, seen: &Seen) {
-        let Some(box3d) = box_in_world(&seen.label) else { return };
+    fn annotate(&mut self, frame: u32, seen: &Seen) -> Result<(), ExportError> {
+        let Some(box3d) = box_in_world(&seen.label) else { return Ok(()) };
         let object = &seen.label.object;
         let id = object.id.to_string();
         let own = token("sample_annotation", &[self.name, &id, &frame.to_string()]);
         let instance = token("instance", &[self.name, &id]);
-        let before = self.last.remove(&object.id).map(|mut before| {
-            before["next"] = json!(own);
-            self.put("sample_annotation", &before);
-            before["token"].clone()
-        });
+        let mut before = json!("");
+        if let Some(mut row) = self.last.remove(&object.id) {
+            row["next"] = json!(own);
+            self.put("sample_annotation", &row)?;
+            before = row["token"].take();
+        }
         let [length, width, height] = box3d.size;
         let row = json!({
-            "token": own, "sample_token": self.sample_token(frame), "instance_token": instance,
+            "token": own, "sample_token": sample_token(self.name, frame), "instance_token": instance,
             "visibility_token": visibility_level(seen.visibility),
             "attribute_tokens": [token("attribute", &[attribute(&seen.label)])],
             "translation": box3d.center, "size": [width, length, height], "rotation": box3d.rotation,
-            "prev": before.unwrap_or_else(|| json!("")), "next": "",
+            "prev": before, "next": "",
             "num_lidar_pts": seen.pixels, "num_radar_pts": 0,
         });
         let entry = self.counts.entry(object.id).or_insert_with(|| (own.clone(), own.clone(), 0));
         entry.1 = own;
         entry.2 += 1;
         self.last.insert(object.id, row);
+        Ok(())
     }
 
     /// The rows that need all frames.
-    fn finish(&mut self, first: &LabelledObjects) {
+    fn finish(&mut self, first: &LabelledObjects) -> Result<(), ExportError> {
         for row in std::mem::take(&mut self.last).values() {
-            self.put("sample_annotation", row);
+            self.put("sample_annotation", row)?;
         }
         for (id, (begin, end, count)) in std::mem::take(&mut self.counts) {
             let category = first.categories.get(&id).copied().unwrap_or(CATEGORIES[0]);
@@ -119,8 +120,9 @@ impl Rows<'_, '_> {
                 "category_token": token("category", &[category]),
                 "nbr_annotations": count, "first_annotation_token": begin, "last_annotation_token": end,
             });
-            self.put("instance", &row);
+            self.put("instance", &row)?;
         }
+        Ok(())
     }
 }
 
@@ -165,12 +167,14 @@ impl Exporter for NuScenes {
         let path = export.dataset.layout.video_named(name).actors();
         let actors = if path.is_file() { read_actors(&path)? } else { Vec::new() };
         let mut rows = Rows {
-            video,
             name,
             actors: actors.into_iter().map(|actor| (actor.id, actor)).collect(),
             last: BTreeMap::new(),
             counts: BTreeMap::new(),
-            text: BTreeMap::new(),
+            parts: ROWS
+                .into_iter()
+                .map(|table| Ok((table, video.create_part(table)?)))
+                .collect::<Result<_, ExportError>>()?,
         };
         let ways = sequences.iter().map(|s| CameraWay::read(s)).collect::<Result<Vec<_>, _>>()?;
         for (sequence, way) in sequences.iter().zip(&ways) {
@@ -185,7 +189,7 @@ impl Exporter for NuScenes {
                 "token": token("calibrated_sensor", &[name, &channel]), "sensor_token": token("sensor", &[&channel]),
                 "translation": translation.to_array(), "rotation": quaternion(rotation),
                 "camera_intrinsic": [row(0), row(1), row(2)],
-            }));
+            }))?;
         }
         let make = |frames: &[LabelledFrame<'_>]| {
             let mut data = Vec::new();
@@ -209,7 +213,7 @@ impl Exporter for NuScenes {
                 let pose = token("ego_pose", &[name, &channel, &frame.frame.to_string()]);
                 data.push([
                     json!({
-                        "token": own(frame.frame), "sample_token": token("sample", &[name, &frame.frame.to_string()]),
+                        "token": own(frame.frame), "sample_token": sample_token(name, frame.frame),
                         "ego_pose_token": pose, "calibrated_sensor_token": token("calibrated_sensor", &[name, &channel]),
                         "timestamp": time_us(frame.time_s), "fileformat": sequence.extension(Layer::Rgb),
                         "is_key_frame": true, "height": sequence.output.size.height, "width": sequence.output.size.width,
@@ -228,34 +232,30 @@ impl Exporter for NuScenes {
         let mut samples: Vec<(u32, f64)> = Vec::new();
         video.instants(&sequences, make, |instant| {
             for [data, pose] in &instant.data {
-                rows.put("sample_data", data);
-                rows.put("ego_pose", pose);
+                rows.put("sample_data", data)?;
+                rows.put("ego_pose", pose)?;
             }
             for seen in &instant.seen {
                 let id = seen.label.object.id;
                 objects.categories.entry(id).or_insert_with(|| category(&seen.label, rows.actors.get(&id)));
-                rows.annotate(instant.frame, seen);
+                rows.annotate(instant.frame, seen)?;
             }
             samples.push((instant.frame, instant.time_s));
             Ok(())
         })?;
-        rows.finish(&objects);
+        rows.finish(&objects)?;
         let scene = token("scene", &[name]);
         let at = |place: Option<usize>| {
-            place.and_then(|place| samples.get(place)).map_or_else(String::new, |(frame, _)| rows.sample_token(*frame))
+            place.and_then(|place| samples.get(place)).map_or_else(String::new, |(frame, _)| sample_token(name, *frame))
         };
-        let table: Vec<Value> = samples
-            .iter()
-            .enumerate()
-            .map(|(place, (frame, time_s))| {
-                json!({
-                    "token": rows.sample_token(*frame), "timestamp": time_us(*time_s), "scene_token": scene,
-                    "prev": at(place.checked_sub(1)), "next": at(place.checked_add(1)),
-                })
-            })
-            .collect();
         let (begin, end) = (at(Some(0)), at(samples.len().checked_sub(1)));
-        table.iter().for_each(|row| rows.put("sample", row));
+        for (place, (frame, time_s)) in samples.iter().enumerate() {
+            let row = json!({
+                "token": sample_token(name, *frame), "timestamp": time_us(*time_s), "scene_token": scene,
+                "prev": at(place.checked_sub(1)), "next": at(place.checked_add(1)),
+            });
+            rows.put("sample", &row)?;
+        }
         let log = token("log", &[name]);
         rows.put(
             "scene",
@@ -264,25 +264,19 @@ impl Exporter for NuScenes {
                 "last_sample_token": end, "name": format!("scene-{:04}", entry.video),
                 "description": format!("{}, {}, {}", entry.map, entry.weather, entry.time_of_day),
             }),
-        );
+        )?;
         rows.put(
             "log",
             &json!({
                 "token": log, "logfile": name, "vehicle": "surveillance cameras", "date_captured": "2017-07-14",
                 "location": entry.map,
             }),
-        );
-        let text = std::mem::take(&mut rows.text);
-        for table in ROWS {
-            let mut part = rows.video.create_part(table)?;
-            part.write(text.get(table).map_or("", String::as_str).as_bytes())?;
-            part.finish()?;
-        }
-        Ok(())
+        )?;
+        rows.parts.into_values().try_for_each(|part| Ok(part.finish()?))
     }
 
     fn finish(&self, export: &Export<'_>) -> Result<(), ExportError> {
-        for table in ROWS.into_iter().filter(|table| *table != "part") {
+        for table in ROWS {
             let mut file = export.target.create(format!("{VERSION}/{table}.json"))?;
             file.write(b"[\n")?;
             let mut first = true;
