@@ -6,7 +6,7 @@
 
 use crate::{
     ExportError, Label, LabelledFrame, Sequence, SourceDataset,
-    camera::{CameraWay, perspective_only},
+    camera::{CameraWay, perspective_only, still_only},
     exporter::Exporter,
     job::{Export, VideoJob},
 };
@@ -104,7 +104,8 @@ fn instant(frames: &[LabelledFrame<'_>], scene: u32, export: &Export<'_>) -> (St
 
 impl Exporter for AiCity {
     fn fits(&self, dataset: &SourceDataset) -> Result<(), ExportError> {
-        perspective_only("ai_city", dataset)
+        perspective_only("ai_city", dataset)?;
+        still_only("ai_city", dataset)
     }
 
     fn video(&self, video: &VideoJob<'_>) -> Result<(), ExportError> {

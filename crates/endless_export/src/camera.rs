@@ -38,6 +38,20 @@ pub(crate) fn perspective_only(format: &'static str, dataset: &SourceDataset) ->
     }
 }
 
+/// Whether all cameras stand still, so that one calibration holds for a sequence.
+pub(crate) fn still_only(format: &'static str, dataset: &SourceDataset) -> Result<(), ExportError> {
+    match dataset.sequences.iter().find(|sequence| sequence.moves) {
+        None => Ok(()),
+        Some(sequence) => Err(ExportError::Unfit {
+            format,
+            sequence: sequence.name(),
+            reason:
+                "it moves, and a calibration holds for a whole sequence: kitti_object and nuscenes have one a frame"
+                    .into(),
+        }),
+    }
+}
+
 fn camera(rows: &[[f64; 4]; 4], Intrinsics { fx, fy, cx, cy }: Intrinsics) -> Camera {
     let column = |i: usize| DVec3::new(rows[0][i], rows[1][i], rows[2][i]);
     let [fx, fy, cx, cy] = [fx, fy, cx, cy].map(f64::from);

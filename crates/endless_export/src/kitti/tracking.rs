@@ -3,7 +3,7 @@
 use super::{calibration::calibration, object_label::kitti_labels};
 use crate::{
     ExportError, LabelledFrame, Sequence, SourceDataset,
-    camera::{CameraWay, perspective_only},
+    camera::{CameraWay, perspective_only, still_only},
     exporter::Exporter,
     frame_list,
     job::{Export, VideoJob},
@@ -17,14 +17,7 @@ pub(crate) struct KittiTracking;
 impl Exporter for KittiTracking {
     fn fits(&self, dataset: &SourceDataset) -> Result<(), ExportError> {
         perspective_only("kitti_tracking", dataset)?;
-        match dataset.sequences.iter().find(|sequence: &&Sequence| sequence.moves) {
-            None => Ok(()),
-            Some(sequence) => Err(ExportError::Unfit {
-                format: "kitti_tracking",
-                sequence: sequence.name(),
-                reason: "it moves, and a calibration holds for a whole sequence: kitti_object has one a frame".into(),
-            }),
-        }
+        still_only("kitti_tracking", dataset)
     }
 
     fn video(&self, video: &VideoJob<'_>) -> Result<(), ExportError> {
