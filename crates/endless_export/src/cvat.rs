@@ -14,8 +14,6 @@ use std::fmt::Write as _;
 #[derive(Debug)]
 pub(crate) struct Cvat;
 
-/// Of what less can be seen something is hidden.
-const OCCLUDED: f64 = 0.95;
 const IMAGES: &str = "images";
 
 fn shape(label: &Label, class: &str) -> String {
@@ -25,7 +23,7 @@ fn shape(label: &Label, class: &str) -> String {
          <attribute name=\"track_id\">{}</attribute><attribute name=\"visibility\">{}</attribute>\
          <attribute name=\"truncated\">{}</attribute></box>",
         escaped(class),
-        u8::from(label.visibility() < OCCLUDED),
+        u8::from(label.is_occluded()),
         x + w,
         y + h,
         label.object.id,

@@ -36,6 +36,23 @@ pub struct ExportOptions<'a> {
     pub progress: Option<&'a (dyn Fn(u64, u64) + Sync)>,
 }
 
+impl ExportOptions<'_> {
+    /// The usual: all frames and classes, in parts by video, with links to pictures.
+    pub fn new(format: Format, to: PathBuf) -> Self {
+        Self {
+            format,
+            to,
+            split: None,
+            by: SplitBy::Video,
+            classes: ClassMapping::default(),
+            min_visibility: 0.0,
+            stride: 1,
+            placing: Placing::Link,
+            progress: None,
+        }
+    }
+}
+
 impl fmt::Debug for ExportOptions<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ExportOptions").field("format", &self.format).field("to", &self.to).finish_non_exhaustive()

@@ -19,6 +19,11 @@ impl Label {
     pub fn visibility(&self) -> f64 {
         self.object.amodal.as_ref().map_or(1.0, |amodal| amodal.visibility)
     }
+
+    /// Whether something hides more than a twentieth of it.
+    pub fn is_occluded(&self) -> bool {
+        self.visibility() < 0.95
+    }
 }
 
 /// A frame of a camera with the objects that are exported.

@@ -54,6 +54,7 @@ mod placing;
 mod png;
 mod reid;
 mod sequence;
+mod sink;
 mod source;
 mod split;
 mod target;

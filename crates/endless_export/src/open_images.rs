@@ -18,8 +18,6 @@ pub(crate) struct OpenImages;
 const BOXES: &str = "boxes";
 const HEADER: &str = "ImageID,Source,LabelName,Confidence,XMin,XMax,YMin,YMax,IsOccluded,IsTruncated,IsGroupOf,IsDepiction,\
                       IsInside,TrackID\n";
-/// Of what less can be seen something is hidden.
-const OCCLUDED: f64 = 0.95;
 
 /// Machine id and description of a class of the dataset.
 fn described(class: ObjectClass) -> [&'static str; 2] {
@@ -55,7 +53,7 @@ fn line(frame: &LabelledFrame<'_>, label: &Label, export: &Export<'_>) -> String
     let [left, right] = [x, x + w].map(|at| f64::from(at) / across);
     let [top, bottom] = [y, y + h].map(|at| f64::from(at) / down);
     let [id, _] = class(export, label.class);
-    let (occluded, truncated) = (u8::from(label.visibility() < OCCLUDED), u8::from(label.object.truncated));
+    let (occluded, truncated) = (u8::from(label.is_occluded()), u8::from(label.object.truncated));
     format!(
         "{},endless,{id},1,{left:.6},{right:.6},{top:.6},{bottom:.6},{occluded},{truncated},0,0,0,{}\n",
         field(&frame.name()),

@@ -19,8 +19,6 @@ pub(crate) struct PascalVoc;
 const NAMES: &str = "names";
 /// Of what less can be seen is hard to find.
 const DIFFICULT: f64 = 0.25;
-/// Of what less can be seen something is hidden.
-const OCCLUDED: f64 = 0.95;
 
 fn object(label: &Label, export: &Export<'_>) -> String {
     let [x, y, w, h] = <[u32; 4]>::from(label.object.bbox);
@@ -32,7 +30,7 @@ fn object(label: &Label, export: &Export<'_>) -> String {
          \t</object>\n",
         escaped(&export.classes.classes[label.class].name),
         flag(label.object.truncated),
-        flag(label.visibility() < OCCLUDED),
+        flag(label.is_occluded()),
         flag(label.visibility() < DIFFICULT),
         x + 1,
         y + 1,

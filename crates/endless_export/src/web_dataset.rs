@@ -5,8 +5,9 @@ use crate::{
     ExportError, LabelledFrame,
     exporter::Exporter,
     job::{Export, VideoJob},
+    sink::Sink,
 };
-use endless_dataset::{AtomicFile, DatasetError};
+use endless_dataset::DatasetError;
 use serde_json::json;
 use std::{fs, io};
 
@@ -61,20 +62,6 @@ fn sample(frame: &LabelledFrame<'_>, export: &Export<'_>) -> Result<Vec<Member>,
     });
     members.push(Member { name: format!("{key}.json"), bytes: labels.to_string().into_bytes() });
     Ok(members)
-}
-
-/// The file as the library wants it.
-struct Sink(AtomicFile);
-
-impl io::Write for Sink {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.write(bytes).map_err(io::Error::other)?;
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
 }
 
 /// A shard that is being written.

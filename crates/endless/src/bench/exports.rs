@@ -4,7 +4,7 @@ use super::film::{draft, film_for};
 use crate::{args::BenchArgs, memory, threads::on_threads};
 use anyhow::Result;
 use endless_dataset::DatasetLayout;
-use endless_export::{ClassMapping, ExportError, ExportOptions, Format, Placing, SplitBy, export};
+use endless_export::{ExportError, ExportOptions, Format, export};
 use endless_pipeline::{MapSource, Simulator};
 use std::{fs, io::Write, path::Path, process::ExitCode, time::Instant};
 
@@ -30,17 +30,7 @@ fn time(dataset: &Path) -> Result<()> {
     for &format in Format::ALL {
         let name = format!(".endless-bench-export-{}", std::process::id());
         let to = layout.root().parent().unwrap_or(Path::new(".")).join(name);
-        let options = ExportOptions {
-            format,
-            to: to.clone(),
-            split: None,
-            by: SplitBy::Video,
-            classes: ClassMapping::default(),
-            min_visibility: 0.0,
-            stride: 1,
-            placing: Placing::Link,
-            progress: None,
-        };
+        let options = ExportOptions::new(format, to.clone());
         let begin = Instant::now();
         let made = export(dataset, &options);
         let seconds = begin.elapsed().as_secs_f64();

@@ -1,6 +1,6 @@
 //! A table that is written a group of rows at a time.
 
-use crate::ExportError;
+use crate::{ExportError, sink::Sink};
 use endless_dataset::{AtomicFile, DatasetError};
 use parquet::{
     basic::Compression,
@@ -59,20 +59,6 @@ pub(super) struct Table {
     writer: SerializedFileWriter<Sink>,
     kinds: Vec<Kind>,
     rows: Vec<Vec<Cell>>,
-}
-
-/// The file as the library wants it.
-struct Sink(AtomicFile);
-
-impl io::Write for Sink {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.write(bytes).map_err(io::Error::other)?;
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
 }
 
 /// Says what the disk said, as far as the library tells.

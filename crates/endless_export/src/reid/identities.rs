@@ -4,7 +4,10 @@ use crate::{ExportError, Sequence, SourceDataset, job::Export};
 use endless_annotate::ActorRecord;
 use endless_dataset::{DatasetLayout, read_actors};
 use endless_world::{InstanceId, ObjectClass};
-use std::collections::{BTreeMap, BTreeSet};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::OnceLock,
+};
 
 /// The number of each look.
 #[derive(Debug)]
@@ -50,9 +53,24 @@ pub(super) fn look(actor: &ActorRecord) -> String {
     actor.reid.as_ref().map(ToString::to_string).unwrap_or_default()
 }
 
+/// The same, read for the first video and kept for the others.
+#[derive(Debug, Default)]
+pub(super) struct KnownIdentities(OnceLock<Identities>);
+
+impl KnownIdentities {
+    /// Of all videos.
+    pub(super) fn of(&self, export: &Export<'_>, classes: &[ObjectClass]) -> Result<&Identities, ExportError> {
+        if let Some(known) = self.0.get() {
+            return Ok(known);
+        }
+        let read = Identities::read(export, classes)?;
+        Ok(self.0.get_or_init(|| read))
+    }
+}
+
 impl Identities {
     /// Of all videos.
-    pub(super) fn read(export: &Export<'_>, classes: &[ObjectClass]) -> Result<Self, ExportError> {
+    fn read(export: &Export<'_>, classes: &[ObjectClass]) -> Result<Self, ExportError> {
         let (mut numbers, mut trained) = (BTreeMap::new(), BTreeSet::new());
         let training = training_split(export);
         for video in export.videos() {

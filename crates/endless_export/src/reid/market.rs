@@ -2,7 +2,7 @@
 
 use super::{
     crops::{Role, crops},
-    identities::{Identities, told_by},
+    identities::{KnownIdentities, told_by},
 };
 use crate::{
     ExportError, SourceDataset,
@@ -10,12 +10,11 @@ use crate::{
     job::{Export, VideoJob},
 };
 use endless_world::ObjectClass;
-use std::sync::OnceLock;
 
 /// People on foot.
 #[derive(Debug, Default)]
 pub(crate) struct Market {
-    identities: OnceLock<Identities>,
+    identities: KnownIdentities,
 }
 
 const CLASSES: &[ObjectClass] = &[ObjectClass::Pedestrian];
@@ -26,13 +25,7 @@ impl Exporter for Market {
     }
 
     fn video(&self, video: &VideoJob<'_>) -> Result<(), ExportError> {
-        let identities = match self.identities.get() {
-            Some(identities) => identities,
-            None => {
-                let read = Identities::read(video.export, CLASSES)?;
-                self.identities.get_or_init(|| read)
-            }
-        };
+        let identities = self.identities.of(video.export, CLASSES)?;
         let sequences = &video.export.dataset.sequences;
         crops(video, identities, CLASSES, |crop, role| {
             let folder = match role {

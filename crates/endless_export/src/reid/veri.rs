@@ -3,7 +3,7 @@
 
 use super::{
     crops::{Role, crops},
-    identities::{Identities, told_by},
+    identities::{KnownIdentities, told_by},
 };
 use crate::{
     ExportError, Sequence, SourceDataset,
@@ -12,12 +12,12 @@ use crate::{
     xml::escaped,
 };
 use endless_world::ObjectClass;
-use std::{collections::BTreeMap, sync::OnceLock};
+use std::collections::BTreeMap;
 
 /// Vehicles with four wheels and more.
 #[derive(Debug, Default)]
 pub(crate) struct Veri {
-    identities: OnceLock<Identities>,
+    identities: KnownIdentities,
 }
 
 const CLASSES: &[ObjectClass] = &[ObjectClass::Car, ObjectClass::Van, ObjectClass::Truck, ObjectClass::Bus];
@@ -52,13 +52,7 @@ impl Exporter for Veri {
     }
 
     fn video(&self, video: &VideoJob<'_>) -> Result<(), ExportError> {
-        let identities = match self.identities.get() {
-            Some(identities) => identities,
-            None => {
-                let read = Identities::read(video.export, CLASSES)?;
-                self.identities.get_or_init(|| read)
-            }
-        };
+        let identities = self.identities.of(video.export, CLASSES)?;
         let sequences = &video.export.dataset.sequences;
         let sites = site_numbers(sequences);
         let mut lists = [TRAIN, QUERY, TEST].map(|[folder, ..]| (folder, String::new()));

@@ -1,6 +1,6 @@
 //! Whatever is wrong with the files of a dataset, an export tells it and nothing panics.
 
-use endless_export::{ClassMapping, ExportOptions, Format, Placing, SplitBy, export};
+use endless_export::{ExportOptions, Format, export};
 use proptest::prelude::*;
 use std::{
     fs,
@@ -21,20 +21,6 @@ fn copy(from: &Path, to: &Path) {
         } else {
             let _bytes = fs::copy(&path, &target).expect("writable");
         }
-    }
-}
-
-fn options(format: Format, to: PathBuf) -> ExportOptions<'static> {
-    ExportOptions {
-        format,
-        to,
-        split: None,
-        by: SplitBy::Video,
-        classes: ClassMapping::default(),
-        min_visibility: 0.0,
-        stride: 1,
-        placing: Placing::Link,
-        progress: None,
     }
 }
 
@@ -75,7 +61,7 @@ proptest! {
         damaged.splice(at..(at + bytes.len()).min(damaged.len()), bytes);
         fs::write(&path, damaged).expect("writable");
         let to = folder.path().join("to");
-        match export(&out, &options(format, to.clone())) {
+        match export(&out, &ExportOptions::new(format, to.clone())) {
             Ok(report) => prop_assert!(report.frames <= 4 && to.join("endless_export.json").is_file()),
             Err(error) => prop_assert!(!error.to_string().contains('\n') && !to.join("endless_export.json").exists()),
         }
@@ -86,7 +72,7 @@ proptest! {
 fn the_whole_dataset_is_exported_where_it_has_what_is_needed() {
     let folder = tempfile::tempdir().expect("temp");
     for &format in Format::ALL {
-        let made = export(Path::new(DATASET), &options(format, folder.path().join(format.name())));
+        let made = export(Path::new(DATASET), &ExportOptions::new(format, folder.path().join(format.name())));
         match format {
             // It is of a simulator that does not tell who is who.
             Format::Market1501 | Format::Veri => {
