@@ -6,9 +6,11 @@
 //! scheduler keeps the workers within a window of frames, so memory is the same after ten seconds and after an hour.
 
 mod camera_sink;
+mod capture;
 mod event_sink;
 mod files;
 mod frame;
+mod labels;
 mod layers;
 mod line_sinks;
 mod recording;
@@ -20,6 +22,7 @@ mod streams;
 mod times;
 mod vehicle_sensors;
 mod video;
+mod workers;
 
 pub use sensor_times::SensorTimes;
 pub use times::StageTimes;
