@@ -19,6 +19,7 @@ mod memory;
 mod progress_bar;
 mod recipe_args;
 mod report;
+mod request;
 mod schema;
 mod serve;
 mod simulate;
@@ -43,6 +44,8 @@ use threads::on_threads;
 
 pub use build_info::this_build;
 pub use cpu::missing_cpu_feature;
+pub use report::line_of;
+pub use request::{Request, UsageError};
 
 /// The program: what the arguments of this process ask for.
 pub fn main() -> ExitCode {
@@ -135,10 +138,13 @@ fn refuse(error: &clap::Error) -> ExitCode {
         let _ = error.print();
         return ExitCode::SUCCESS;
     }
-    let text = error.to_string();
-    let said = text.split("\n\n").next().unwrap_or_default();
-    eprintln!("{} (see endless --help)", one_line(said));
+    eprintln!("{} (see endless --help)", said(error));
     ExitCode::from(USAGE)
+}
+
+/// What a mistake in the arguments is, in one line.
+fn said(error: &clap::Error) -> String {
+    one_line(error.to_string().split("\n\n").next().unwrap_or_default())
 }
 
 fn one_line(text: &str) -> String {
