@@ -9,7 +9,7 @@ use crate::{
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
-use endless_world::{CameraSite, SceneSettings};
+use endless_world::SceneSettings;
 use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
 use std::{path::Path, time::Instant};
@@ -107,8 +107,7 @@ fn generate_in<S: Simulator>(
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
         let name = &same_map[0].map;
-        let mut cameras = Plan::cameras(recipe, simulator, name)?;
-        cameras.extend(fixed_of_rig(&plan, name));
+        let cameras = plan.all_cameras(recipe, simulator, name)?;
         let load = || {
             progress.event(&ProgressEvent::LoadMap { map: name });
             clock.time(Stage::LoadMap, || simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map }))
@@ -135,13 +134,6 @@ fn generate_in<S: Simulator>(
     generated.seconds = start.elapsed().as_secs_f64();
     generated.times = clock.times();
     Ok(generated)
-}
-
-/// Sites of the cameras of a rig that stand still on a map: the same in all videos.
-fn fixed_of_rig(plan: &Plan, map: &str) -> Vec<CameraSite> {
-    let video = plan.scenes.iter().find(|scene| scene.map == map);
-    let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
-    sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)).collect()
 }
 
 /// Frames of all cameras of a video, and measurements of the sensors of its rig.

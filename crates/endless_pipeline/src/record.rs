@@ -27,9 +27,15 @@ mod workers;
 pub use sensor_times::SensorTimes;
 pub use times::StageTimes;
 pub(crate) use {
+    capture::{CapturedFrame, SensorPlace, StreamReading, StreamReadings, capture, lens_at, measure},
+    labels::labels,
+    layers::as_stored,
+    line_sinks::{GnssTrack, ImuTrack},
     recording::Recording,
     stored::{count_files, stream_is_complete},
     streams::{CameraStream, Stream, StreamModel, sensor_seed},
     times::{Stage, StageClock},
-    video::record_video,
+    vehicle_sensors::Noticed,
+    video::{camera_record, record_video, report_fewer, wanted_layers},
+    workers::{FrameOutput, Observed, Observers, run_workers},
 };
