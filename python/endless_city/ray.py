@@ -1,0 +1,132 @@
+"""Datasets and training data made by a Ray cluster (``pip install "endless-city[ray]"``).
+
+A recipe is cut into shards, which share no work: a task of Ray makes each, on whatever machine there is room. What comes out
+does not depend on how many shards, tasks or machines there are, nor on how often a task is begun again.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional, Union
+
+import numpy as np
+
+import endless_city
+from endless_city.errors import DatasetError
+
+try:
+    import ray
+except ImportError as error:
+    raise ImportError('endless_city.ray needs Ray: pip install "ray[data]"') from error
+
+if TYPE_CHECKING:
+    import ray.data
+
+__all__ = ["dataset", "generate"]
+
+Recipe = Mapping[str, Any]
+
+# Seconds after which a shard is begun again whose folder a lost task still holds.
+_PATIENCE = 2.0
+
+
+def generate(
+    recipe: Recipe,
+    out: Union[str, "os.PathLike[str]"],
+    *,
+    shards: Optional[int] = None,
+    cpus: int = 1,
+    retries: int = 8,
+    progress: bool = True,
+) -> None:
+    """Makes the dataset of a recipe in a folder that all machines of the cluster share, or in an object store.
+
+    Ends when every video is complete. What is there already is not made again. A task whose machine is lost is begun again
+    elsewhere and goes on where it was. Ctrl-C cancels all tasks; the same call resumes them.
+
+    Args:
+        recipe: Options of the recipe, as of :func:`endless_city.generate`.
+        out: The folder, or ``s3://``, ``gs://``, ``az://``.
+        shards: Number of tasks; where it is not given, two for each that can run at once, and at most one a video.
+        cpus: Cores, and threads, of each task.
+        retries: How often a task is begun again.
+        progress: Print a line for each shard that is complete.
+
+    Raises:
+        endless_city.errors.RecipeError: The recipe cannot be.
+        endless_city.errors.DatasetError: The folder cannot be used.
+        ray.exceptions.RayError: A task was lost more often than ``retries``.
+    """
+    _connect()
+    place = os.fspath(out)
+    if "://" not in place:
+        place = os.path.abspath(place)
+    count = shards or _usual_shards(recipe, cpus)
+    task = ray.remote(num_cpus=cpus, max_retries=retries, retry_exceptions=[DatasetError])(_make_shard)
+    waiting = {}
+    for number in range(1, count + 1):
+        named = task.options(name=f"endless shard {number} of {count}")
+        waiting[named.remote(dict(recipe), place, number, count, cpus)] = number
+    begin = time.monotonic()
+    try:
+        while waiting:
+            done, _ = ray.wait(list(waiting), num_returns=1)
+            for task_done in done:
+                ray.get(task_done)
+                number = waiting.pop(task_done)
+                if progress:
+                    complete = count - len(waiting)
+                    seconds = time.monotonic() - begin
+                    print(f"shard {number} is complete: {complete} of {count} in {seconds:.1f} s", flush=True)
+    except ray.exceptions.RayTaskError as failure:
+        raise failure.cause from None
+    finally:
+        # Nothing is lost with a process that is killed.
+        for task_waiting in waiting:
+            ray.cancel(task_waiting, force=True)
+
+
+def dataset(recipe: Recipe, *, shards: Optional[int] = None, cpus: int = 1) -> "ray.data.Dataset":
+    """Frames of a recipe as a dataset of Ray, made while it is read: nothing is written.
+
+    A row is a frame of one camera: ``video``, ``camera``, ``frame``, ``time_s``, an array for each layer of the recipe under its
+    name, as :func:`endless_city.stream` has them; of its objects ``ids`` (N), ``labels`` (N, numbers of
+    :func:`endless_city.classes`), ``boxes`` (N, 4: x, y, width, height in pixels), and ``objects``, JSON with all that is known of them.
+    Rows come in no order unless ``ray.data.DataContext`` preserves it; those of a shard come in the order of its frames.
+
+    Args:
+        recipe: Options of the recipe, as of :func:`endless_city.stream`.
+        shards: Number of read tasks; where it is not given, two for each that can run at once, and at most one a video.
+        cpus: Cores, and threads, of each task.
+    """
+    import ray.data
+
+    _connect()
+    options, count = dict(recipe), shards or _usual_shards(recipe, cpus)
+
+    def frames(batch: Dict[str, np.ndarray]) -> Iterator[Dict[str, Any]]:
+        for number in batch["id"]:
+            yield from _rows(options, int(number) + 1, count, cpus)
+
+    return ray.data.range(count, override_num_blocks=count).map_batches(frames, batch_size=1, num_cpus=cpus)
+
+
+def _connect() -> None:
+    if not ray.is_initialized():
+        ray.init()
+
+
+def _usual_shards(recipe: Recipe, cpus: int) -> int:
+    at_once = int(ray.cluster_resources().get("CPU", 1)) // cpus
+    return max(1, min(2 * at_once, int(recipe.get("videos", 2))))
+
+
+def _make_shard(recipe: Dict[str, Any], out: str, number: int, count: int, cpus: int) -> None:
+    try:
+        endless_city.generate(out, threads=cpus, shard=(number, count), progress=False, **recipe)
+    except DatasetError:
+        # A task that was lost may still hold the folder.
+        time.sleep(_PATIENCE)
+        raise
