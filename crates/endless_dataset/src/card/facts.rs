@@ -97,6 +97,17 @@ impl CardFacts {
     }
 }
 
+impl CardFacts {
+    /// The licence by the hub's names, in YAML.
+    pub fn hub_licence(&self) -> String {
+        if self.licences.is_empty() {
+            "other".to_owned()
+        } else {
+            format!("[{}]", self.licences.join(", ").to_lowercase())
+        }
+    }
+}
+
 /// All that is seen comes with the program, unless the recipe brings more.
 fn licence(recipe: &Recipe) -> (&'static [&'static str], String) {
     let mut foreign = Vec::new();

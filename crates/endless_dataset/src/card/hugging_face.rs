@@ -3,15 +3,17 @@
 use super::{
     facts::{CardFacts, KEYWORDS, LIMITS, size_category, tasks},
     recipe_toml::recipe_toml,
-    write::Card,
 };
 use crate::{Layer, Manifest, VideoEntry};
 use std::{collections::BTreeMap, fmt::Write as _};
 
+/// The line of those that follow from the manifest.
+pub(super) const MARK: &str = "# Written by endless. Without this line it stays as you change it.";
+
 /// Its text.
 pub(super) fn readme(manifest: &Manifest, facts: &CardFacts) -> String {
     let (front, body) = (front_matter(manifest, facts), body(manifest, facts));
-    format!("---\n{}\n{front}---\n\n{body}", Card::MARK)
+    format!("---\n{}\n{front}---\n\n{body}", MARK)
 }
 
 fn front_matter(manifest: &Manifest, facts: &CardFacts) -> String {
@@ -19,19 +21,7 @@ fn front_matter(manifest: &Manifest, facts: &CardFacts) -> String {
     let list =
         |key: &str, words: &[&str]| format!("{key}:\n{}", words.iter().map(|w| format!("- {w}\n")).collect::<String>());
     let mut text = format!("pretty_name: {}\n", quoted(&facts.title));
-    text += &match facts.licences {
-        [] => "license: other\n".to_owned(),
-        licences => list(
-            "license",
-            &licences
-                .iter()
-                .map(|l| l.to_lowercase())
-                .collect::<Vec<_>>()
-                .iter()
-                .map(String::as_str)
-                .collect::<Vec<_>>(),
-        ),
-    };
+    let _ = writeln!(text, "license: {}", facts.hub_licence());
     text += &list("task_categories", &tasks(&recipe.layers));
     text += &list("size_categories", &[size_category(facts.camera_frames)]);
     text += &list("tags", KEYWORDS);

@@ -10,4 +10,4 @@ mod write;
 
 pub use facts::{CardFacts, size_category};
 pub use recipe_toml::recipe_toml;
-pub use write::{Card, write_cards};
+pub use write::Card;

@@ -57,18 +57,28 @@ fn put_density(recipe: &Recipe, fields: &mut Map<String, Value>) {
     }
 }
 
-/// Degrees are double precision, so that they come back to the same single-precision radians.
+/// Cameras in metres and degrees that come back to the same single-precision numbers.
 fn user_cameras(recipe: &Recipe) -> Vec<UserCamera> {
     let sites = recipe.cameras.iter().flat_map(|(map, sites)| sites.iter().map(move |site| (map, site)));
     sites
         .map(|(map, site)| UserCamera {
             map: map.clone(),
             name: site.name.clone(),
-            position: site.position.map(f64::from),
-            yaw: f64::from(site.yaw_rad).to_degrees(),
-            down: f64::from(site.down_tilt_rad).to_degrees(),
-            fov: Some(f64::from(site.horizontal_fov_rad).to_degrees()),
+            position: site.position.map(|metres| shortest(metres.into(), |short| short as f32 == metres)),
+            yaw: degrees(site.yaw_rad),
+            down: degrees(site.down_tilt_rad),
+            fov: Some(degrees(site.horizontal_fov_rad)),
             lens: site.lens,
         })
         .collect()
+}
+
+fn degrees(rad: f32) -> f64 {
+    shortest(f64::from(rad).to_degrees(), |short| short.to_radians() as f32 == rad)
+}
+
+/// The number with the fewest digits that is as good.
+fn shortest(exact: f64, is_as_good: impl Fn(f64) -> bool) -> f64 {
+    let rounded = |digits: i32| (exact * 10f64.powi(digits)).round() / 10f64.powi(digits);
+    (0..12).map(rounded).find(|short| is_as_good(*short)).unwrap_or(exact)
 }

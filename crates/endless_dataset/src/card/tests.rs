@@ -1,7 +1,7 @@
 //! Cards of the small datasets that come with the sources; `scripts/judge_card.py` reads them as catalogues do.
 
-use super::{Card, CardFacts, write_cards};
-use crate::{DatasetLayout, Layer, Manifest, SensorSpec, VideoState};
+use super::{Card, CardFacts};
+use crate::{DatasetLayout, Layer, Manifest, SensorSpec, SharedFiles, VideoState};
 use serde_json::Value;
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -60,7 +60,7 @@ fn sensors_of_a_rig_have_files() {
 fn what_is_imported_has_licences_of_its_own() {
     let mut manifest = manifest();
     let [readme, _] = Card::all(&manifest);
-    assert!(readme.text.contains("\nlicense:\n- mit\n- apache-2.0\n"));
+    assert!(readme.text.contains("\nlicense: [mit, apache-2.0]\n"));
     manifest.recipe.map_files.insert("my_town".into(), "0123".into());
     let [readme, croissant] = Card::all(&manifest);
     assert!(
@@ -76,13 +76,19 @@ fn cards_follow_the_manifest_until_somebody_changes_them() {
     let layout = DatasetLayout::new(folder.path());
     let mut manifest = manifest();
     let text = |name: &str| fs::read_to_string(folder.path().join(name)).expect("a card");
-    write_cards(&layout, &manifest).expect("writable");
+    let write = |manifest: &Manifest| Card::write_all(&layout, manifest, &SharedFiles::alone()).expect("writable");
+    write(&manifest);
     assert!(Card::all(&manifest).iter().all(|card| text(card.name) == card.text));
     manifest.videos[0].state = VideoState::Planned;
-    write_cards(&layout, &manifest).expect("writable");
+    write(&manifest);
     assert!(text("README.md").contains("ENDLESS: 1 video (0 complete), each"));
     let mine = "---\nlicense: cc-by-4.0\n---\nMine.\n";
     fs::write(folder.path().join("README.md"), mine).expect("writable");
-    write_cards(&layout, &manifest).expect("writable");
+    write(&manifest);
     assert_eq!(text("README.md"), mine);
+    assert!(!Card::is_ours(&folder.path().join("README.md")) && Card::is_ours(&folder.path().join("croissant.json")));
+    // As a power failure leaves it.
+    fs::write(folder.path().join("README.md"), "").expect("writable");
+    write(&manifest);
+    assert!(text("README.md").starts_with("---\n"));
 }

@@ -1,7 +1,11 @@
 //! The files of the cards.
 
-use super::{croissant::croissant, facts::CardFacts, hugging_face::readme};
-use crate::{DatasetError, DatasetLayout, Manifest, write_atomic};
+use super::{
+    croissant::{self, croissant},
+    facts::CardFacts,
+    hugging_face::{self, readme},
+};
+use crate::{DatasetError, DatasetLayout, Manifest, SharedFiles};
 use std::{fs, path::Path};
 
 /// A card: a file at the root of a dataset.
@@ -18,8 +22,6 @@ impl Card {
     const CROISSANT: &'static str = "croissant.json";
     /// Names of all cards.
     pub const NAMES: [&'static str; 2] = [Self::README, Self::CROISSANT];
-    /// The second line of every `README.md` that follows from the manifest.
-    pub(super) const MARK: &'static str = "# Written by endless. Without this line it stays as you change it.";
 
     /// All cards of a dataset.
     pub fn all(manifest: &Manifest) -> [Self; 2] {
@@ -30,25 +32,30 @@ impl Card {
         ]
     }
 
-    /// Whether the card at this path was changed by its owner.
-    pub fn is_changed(path: &Path) -> bool {
-        let readme = path.file_name().is_some_and(|name| name == Self::README);
-        let text = if readme { fs::read_to_string(path).ok() } else { None };
-        text.is_some_and(|text| text.lines().nth(1) != Some(Self::MARK))
+    /// Whether what lies at this path was written by [`Card::write_all`], and nobody has taken it over since. Power failures
+    /// leave empty files.
+    pub fn is_ours(path: &Path) -> bool {
+        let mark = match path.file_name() {
+            Some(name) if name == Self::README => hugging_face::MARK,
+            Some(name) if name == Self::CROISSANT => croissant::MARK,
+            _ => return false,
+        };
+        fs::read_to_string(path).is_ok_and(|text| text.is_empty() || text.contains(mark))
     }
-}
 
-/// Writes the cards beside `dataset.json`, except one that its owner has changed.
-///
-/// # Errors
-/// When the disk refuses.
-pub fn write_cards(layout: &DatasetLayout, manifest: &Manifest) -> Result<(), DatasetError> {
-    for card in Card::all(manifest) {
-        let path = layout.root().join(card.name);
-        let same = fs::read(&path).is_ok_and(|found| found == card.text.as_bytes());
-        if !same && !Card::is_changed(&path) {
-            write_atomic(&path, card.text.as_bytes())?;
+    /// Writes all cards of a dataset, except where its owner has taken one over.
+    ///
+    /// # Errors
+    /// When the disk refuses.
+    pub fn write_all(layout: &DatasetLayout, manifest: &Manifest, files: &SharedFiles) -> Result<(), DatasetError> {
+        for card in Self::all(manifest) {
+            let path = layout.root().join(card.name);
+            let found = fs::read(&path).ok();
+            let stale = found.as_ref().is_none_or(|found| found != card.text.as_bytes());
+            if stale && (found.is_none() || Self::is_ours(&path)) {
+                files.write_text(&path, &card.text)?;
+            }
         }
+        Ok(())
     }
-    Ok(())
 }

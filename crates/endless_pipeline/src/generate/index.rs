@@ -2,7 +2,7 @@
 
 use super::{begun_video::BegunVideo, output::ResumeRequest};
 use endless_dataset::{
-    BuildIdentity, DatasetError, DatasetLayout, Manifest, SharedFiles, VideoEntry, VideoLayout, VideoState,
+    BuildIdentity, Card, DatasetError, DatasetLayout, Manifest, SharedFiles, VideoEntry, VideoLayout, VideoState,
 };
 use endless_world::SceneSettings;
 use std::{
@@ -27,11 +27,13 @@ impl<'a> DatasetIndex<'a> {
         Self { layout, request, files, begun: BTreeMap::new() }
     }
 
-    /// Writes the index of what is there now.
+    /// Writes the index of what is there now, and the cards, which follow from it.
     pub(super) fn update(&mut self) -> Result<(), DatasetError> {
         self.look()?;
         loop {
-            self.files.write_json_durable(&self.layout.manifest(), &self.manifest())?;
+            let manifest = self.manifest();
+            Card::write_all(self.layout, &manifest, self.files)?;
+            self.files.write_json_durable(&self.layout.manifest(), &manifest)?;
             if !self.look()? {
                 return Ok(());
             }

@@ -11,6 +11,9 @@ use files::image_files;
 use record_sets::record_sets;
 use serde_json::{Value, json};
 
+/// Of those that follow from the manifest.
+pub(super) const MARK: &str = "Simulated and rendered by ENDLESS";
+
 /// Its text.
 pub(super) fn croissant(manifest: &Manifest, facts: &CardFacts) -> String {
     let licence = match facts.licences {
@@ -30,7 +33,7 @@ pub(super) fn croissant(manifest: &Manifest, facts: &CardFacts) -> String {
         "keywords": KEYWORDS,
         "version": facts.version,
         "citeAs": facts.citation,
-        "rai:dataCollection": "Simulated and rendered by ENDLESS from the recipe in dataset.json; README.md has it as a file",
+        "rai:dataCollection": format!("{MARK} from the recipe in dataset.json; README.md has it as a file"),
         "rai:dataLimitations": LIMITS,
         "distribution": distribution(&manifest.recipe, &images),
         "recordSet": record_sets(&images),
