@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 __all__ = ["dataset", "generate"]
 
-Recipe = Mapping[str, Any]
+Recipe = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
 # Seconds after which a shard is begun again whose folder a lost task still holds.
 _PATIENCE = 2.0
@@ -47,7 +47,7 @@ def generate(
     elsewhere and goes on where it was. Ctrl-C cancels all tasks; the same call resumes them.
 
     Args:
-        recipe: Options of the recipe, as of :func:`endless_city.generate`.
+        recipe: Options of the recipe, as of :func:`endless_city.generate`, or a TOML file that all machines can read.
         out: The folder, or ``s3://``, ``gs://``, ``az://``.
         shards: Number of tasks; where it is not given, two for each that can run at once, and at most one a video.
         cpus: Cores, and threads, of each task.
@@ -63,12 +63,13 @@ def generate(
     place = os.fspath(out)
     if "://" not in place:
         place = os.path.abspath(place)
-    count = shards or _usual_shards(recipe, cpus)
+    options = _options(recipe)
+    count = shards or _usual_shards(options, cpus)
     task = ray.remote(num_cpus=cpus, max_retries=retries, retry_exceptions=[DatasetError])(_make_shard)
     waiting = {}
     for number in range(1, count + 1):
         named = task.options(name=f"endless shard {number} of {count}")
-        waiting[named.remote(dict(recipe), place, number, count, cpus)] = number
+        waiting[named.remote(options, place, number, count, cpus)] = number
     begin = time.monotonic()
     try:
         while waiting:
@@ -97,14 +98,15 @@ def dataset(recipe: Recipe, *, shards: Optional[int] = None, cpus: int = 1) -> "
     Rows come in no order unless ``ray.data.DataContext`` preserves it; those of a shard come in the order of its frames.
 
     Args:
-        recipe: Options of the recipe, as of :func:`endless_city.stream`.
+        recipe: Options of the recipe, as of :func:`endless_city.stream`, or a TOML file that all machines can read.
         shards: Number of read tasks; where it is not given, two for each that can run at once, and at most one a video.
         cpus: Cores, and threads, of each task.
     """
     import ray.data
 
     _connect()
-    options, count = dict(recipe), shards or _usual_shards(recipe, cpus)
+    options = _options(recipe)
+    count = shards or _usual_shards(options, cpus)
 
     def frames(batch: Dict[str, np.ndarray]) -> Iterator[Dict[str, Any]]:
         for number in batch["id"]:
@@ -118,14 +120,20 @@ def _connect() -> None:
         ray.init()
 
 
-def _usual_shards(recipe: Recipe, cpus: int) -> int:
+def _options(recipe: Recipe) -> Dict[str, Any]:
+    if isinstance(recipe, (str, os.PathLike)):
+        return {"config": os.path.abspath(recipe)}
+    return dict(recipe)
+
+
+def _usual_shards(options: Dict[str, Any], cpus: int) -> int:
     at_once = int(ray.cluster_resources().get("CPU", 1)) // cpus
-    return max(1, min(2 * at_once, int(recipe.get("videos", 2))))
+    return max(1, min(2 * at_once, int(options.get("videos", 2 * at_once))))
 
 
-def _make_shard(recipe: Dict[str, Any], out: str, number: int, count: int, cpus: int) -> None:
+def _make_shard(options: Dict[str, Any], out: str, number: int, count: int, cpus: int) -> None:
     try:
-        endless_city.generate(out, threads=cpus, shard=(number, count), progress=False, **recipe)
+        endless_city.generate(out, threads=cpus, shard=(number, count), progress=False, **options)
     except DatasetError:
         # A task that was lost may still hold the folder.
         time.sleep(_PATIENCE)
