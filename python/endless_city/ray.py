@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional, Union
 import numpy as np
 
 import endless_city
+from endless_city import CameraFrame
 from endless_city.errors import DatasetError
 
 try:
@@ -92,9 +93,10 @@ def generate(
 def dataset(recipe: Recipe, *, shards: Optional[int] = None, cpus: int = 1) -> "ray.data.Dataset":
     """Frames of a recipe as a dataset of Ray, made while it is read: nothing is written.
 
-    A row is a frame of one camera: ``video``, ``camera``, ``frame``, ``time_s``, an array for each layer of the recipe under its
-    name, as :func:`endless_city.stream` has them; of its objects ``ids`` (N), ``labels`` (N, numbers of
-    :func:`endless_city.classes`), ``boxes`` (N, 4: x, y, width, height in pixels), and ``objects``, JSON with all that is known of them.
+    A row is a frame of one camera: ``video``, ``camera``, ``frame``, ``time_s``; the arrays of its layers by their names, as
+    :class:`endless_city.CameraFrame` has them; of its N objects ``ids`` (N,), ``labels`` (N,), which are places in
+    ``endless_city.classes()``, ``boxes`` (N, 4), x, y, width and height in pixels; and ``objects``, the line of ``objects.jsonl``
+    with all that is known of them.
     Rows come in no order unless ``ray.data.DataContext`` preserves it; those of a shard come in the order of its frames.
 
     Args:
@@ -113,6 +115,40 @@ def dataset(recipe: Recipe, *, shards: Optional[int] = None, cpus: int = 1) -> "
             yield from _rows(options, int(number) + 1, count, cpus)
 
     return ray.data.range(count, override_num_blocks=count).map_batches(frames, batch_size=1, num_cpus=cpus)
+
+
+def _rows(options: Dict[str, Any], number: int, count: int, cpus: int) -> Iterator[Dict[str, Any]]:
+    """The frames of a shard, as batches of one row."""
+    with endless_city.stream(shard=(number, count), threads=cpus, **options) as frames:
+        for frame in frames:
+            of_rig = [sensor.measurement for sensor in frame.sensors]
+            for view in [*frame.cameras, *of_rig]:
+                if isinstance(view, CameraFrame):
+                    yield {name: _batch_of_one(value) for name, value in _row(view).items()}
+
+
+def _row(view: CameraFrame) -> Dict[str, Any]:
+    objects = view.objects
+    return {
+        "video": view.video,
+        "camera": view.camera.name,
+        "frame": view.frame,
+        "time_s": view.time_s,
+        **view.load(),
+        "ids": objects.ids,
+        "labels": objects.class_ids,
+        "boxes": objects.boxes,
+        "objects": objects.line.decode(),
+    }
+
+
+def _batch_of_one(value: Any) -> np.ndarray:
+    if not isinstance(value, np.ndarray):
+        return np.array([value])
+    # Objects of a frame are more or fewer than those of the next.
+    batch = np.empty(1, dtype=object)
+    batch[0] = value
+    return batch
 
 
 def _connect() -> None:
