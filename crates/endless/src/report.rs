@@ -61,14 +61,20 @@ impl Progress for Reporter {
     fn event(&self, event: &ProgressEvent<'_>) {
         match *event {
             ProgressEvent::Start { videos: 0, .. } => {}
-            ProgressEvent::Start { videos, complete, estimate } => {
+            ProgressEvent::Start { videos, complete, estimate, shard } => {
+                let shard = shard.map(|shard| format!("shard {shard}: ")).unwrap_or_default();
                 let done = if complete > 0 { format!(" ({complete} are complete)") } else { String::new() };
                 self.line(&format!(
-                    "{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
+                    "{shard}{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
                     estimate.camera_frames,
                     human_bytes(estimate.bytes),
                     human_bytes(estimate.free)
                 ));
+            }
+            ProgressEvent::NoLocks => {
+                self.line(
+                    "warning: this file system knows no locks: see to it that no two processes make the same shard",
+                );
             }
             ProgressEvent::LoadMap { map } => self.line(&format!("loading {map}")),
             ProgressEvent::Video { name, place, of, camera_frames } => {
