@@ -126,6 +126,9 @@ fn generate_in<S: Simulator>(
             let of = remaining_scenes.len() as u32;
             run.place += 1;
             let mut failures = 0;
+            if progress.is_stopped() {
+                return Err(SimulatorError::Interrupted.into());
+            }
             while let Err(failure) = run.video(&mut map, &load, settings, of, &mut index, &mut generated.sensors) {
                 failures += 1;
                 // What is loaded there may be lost with the connection.

@@ -112,6 +112,9 @@ impl<'m, Output: FrameOutput<'m>> VideoWorkers<'_, 'm, Output> {
     /// Runs one worker until no job is left.
     fn all(&self) -> Result<(), GenerateError> {
         while let Some(job) = self.scheduler.next() {
+            if self.recording.progress.is_stopped() {
+                return Err(SimulatorError::Interrupted.into());
+            }
             match job {
                 WorkerJob::Frame { frame, session } => self.frame(frame, session)?,
                 WorkerJob::Sink { camera: queue, item } => {
