@@ -12,7 +12,7 @@ use crate::{
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};
-use endless_world::{CameraSite, SceneSettings};
+use endless_world::SceneSettings;
 use index::DatasetIndex;
 use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
@@ -128,8 +128,7 @@ fn generate_in<S: Simulator>(
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
         let name = &same_map[0].map;
-        let mut cameras = Plan::cameras(recipe, simulator, name)?;
-        cameras.extend(fixed_of_rig(&plan, name));
+        let cameras = plan.all_cameras(recipe, simulator, name)?;
         let load = || {
             progress.event(&ProgressEvent::LoadMap { map: name });
             clock.time(Stage::LoadMap, || simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map }))
@@ -139,6 +138,9 @@ fn generate_in<S: Simulator>(
             let of = remaining_scenes.len() as u32;
             run.place += 1;
             let mut failures = 0;
+            if progress.is_stopped() {
+                return Err(SimulatorError::Interrupted.into());
+            }
             while let Err(failure) = run.video(&mut map, &load, settings, of, &mut index, &mut generated.sensors) {
                 failures += 1;
                 // What is loaded there may be lost with the connection.
@@ -164,13 +166,6 @@ fn shared_files(shard: Option<Shard>) -> SharedFiles {
 fn is_of_same_shards(writer: &str, shard: Option<Shard>) -> bool {
     let of = writer.split_once("-of-").map(|(_, of)| of);
     shard.is_some_and(|shard| of == Some(shard.of().to_string().as_str()))
-}
-
-/// Sites of the cameras of a rig that stand still on a map: the same in all videos.
-fn fixed_of_rig(plan: &Plan, map: &str) -> Vec<CameraSite> {
-    let video = plan.scenes.iter().find(|scene| scene.map == map);
-    let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
-    sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)).collect()
 }
 
 /// Frames of all cameras of a video, and measurements of the sensors of its rig.

@@ -57,6 +57,7 @@ mod rig;
 mod shard;
 mod simulator;
 mod simulator_error;
+mod streaming;
 #[cfg(test)]
 mod test_catalog;
 mod text_position;
@@ -77,4 +78,8 @@ pub use simulator::{
     SimulationSession, SimulationStep, Simulator, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;
+pub use streaming::{
+    Measurement, StreamEnd, StreamOptions, StreamOrder, StreamedCamera, StreamedFrame, StreamedSensor, StreamedVideo,
+    stream,
+};
 pub use user_camera::{cameras_from_text, read_cameras};

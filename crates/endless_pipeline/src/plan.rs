@@ -79,6 +79,24 @@ impl Plan {
         recipe.cameras.get(map).map_or_else(|| catalog.cameras(map), |own| Ok(own.clone()))
     }
 
+    /// All cameras that stand still in any video of a map: those with which a recipe may film it, and those of the rig.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made.
+    pub fn all_cameras(
+        &self,
+        recipe: &Recipe,
+        catalog: &(impl MapCatalog + ?Sized),
+        map: &str,
+    ) -> Result<Vec<CameraSite>, SimulatorError> {
+        let mut cameras = Self::cameras(recipe, catalog, map)?;
+        // The rig's are the same in all videos.
+        let video = self.scenes.iter().find(|scene| scene.map == map);
+        let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
+        cameras.extend(sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)));
+        Ok(cameras)
+    }
+
     /// Numbers of the videos in the order of work: by map, so that each is loaded once, and by cameras, so that what bakes
     /// of the same camera share is needed soon again.
     pub fn work_order(&self) -> Vec<u32> {

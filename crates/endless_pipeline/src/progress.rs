@@ -79,10 +79,15 @@ pub enum ProgressEvent<'a> {
     },
 }
 
-/// Receives progress events, from several threads.
+/// Watches a run: receives progress events, from several threads, and may end it.
 pub trait Progress: Sync {
     /// Receives an event.
     fn event(&self, event: &ProgressEvent<'_>);
+
+    /// Whether the run shall end. It is asked before each frame, so that what is complete stays and the same call goes on.
+    fn is_stopped(&self) -> bool {
+        false
+    }
 }
 
 /// Ignores all events.
