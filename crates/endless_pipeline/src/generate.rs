@@ -4,14 +4,15 @@ mod begun_video;
 mod estimate;
 mod index;
 mod lock;
+mod lock_file;
 mod output;
 
 use crate::{
-    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Simulator, SimulatorError, StageTimes,
+    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard, Simulator, SimulatorError, StageTimes,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};
-use endless_world::{CameraSite, SceneSettings};
+use endless_world::SceneSettings;
 use index::DatasetIndex;
 use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
@@ -28,6 +29,8 @@ pub struct GenerateOptions {
     pub threads: usize,
     /// Write the scenes and stop.
     pub plan_only: bool,
+    /// The part of the videos to make; all of them without.
+    pub shard: Option<Shard>,
 }
 
 /// The result of a run.
@@ -81,18 +84,22 @@ fn generate_in<S: Simulator>(
     let plan = Plan::new(recipe, simulator)?;
     let claim =
         ResumeRequest { recipe, plan: &plan, build: &options.build, allow_other_build: options.allow_other_build };
-    let output = OutputFolder::inspect(&layout, &claim)?;
-    let estimate = estimate::estimate(&layout, recipe, &output.remaining_scenes(&plan))?;
+    let part = plan.part(options.shard);
+    let output = OutputFolder::inspect(&layout, &claim, &part)?;
+    let estimate = estimate::estimate(&layout, recipe, &output.remaining_scenes(&plan, &part))?;
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
-    let _lock = DatasetLock::take(&layout)?;
+    let lock = DatasetLock::take(&layout, options.shard)?;
+    if !lock.holds() {
+        progress.event(&ProgressEvent::NoLocks);
+    }
     // Once more, now that nobody else can change it.
-    let output = OutputFolder::inspect(&layout, &claim)?;
-    let remaining_scenes = output.remaining_scenes(&plan);
-    let files = SharedFiles::alone();
+    let output = OutputFolder::inspect(&layout, &claim, &part)?;
+    let remaining_scenes = output.remaining_scenes(&plan, &part);
+    let files = shared_files(options.shard);
     for folder in [layout.root(), &layout.scenes()] {
-        files.remove_temporaries(folder, |_| false)?;
+        files.remove_temporaries(folder, |writer| !lock.holds() || is_of_same_shards(writer, options.shard))?;
     }
     output::write_plan(&layout, &plan, &files)?;
     output::reopen(&layout, &remaining_scenes)?;
@@ -110,14 +117,18 @@ fn generate_in<S: Simulator>(
     if options.plan_only {
         return Ok(generated);
     }
-    let complete = recipe.videos - remaining_scenes.len() as u32;
-    progress.event(&ProgressEvent::Start { videos: remaining_scenes.len() as u32, complete, estimate });
+    let complete = (part.len() - remaining_scenes.len()) as u32;
+    progress.event(&ProgressEvent::Start {
+        videos: remaining_scenes.len() as u32,
+        complete,
+        estimate,
+        shard: options.shard,
+    });
     let clock = StageClock::default();
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
         let name = &same_map[0].map;
-        let mut cameras = Plan::cameras(recipe, simulator, name)?;
-        cameras.extend(fixed_of_rig(&plan, name));
+        let cameras = plan.all_cameras(recipe, simulator, name)?;
         let load = || {
             progress.event(&ProgressEvent::LoadMap { map: name });
             clock.time(Stage::LoadMap, || simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map }))
@@ -127,6 +138,9 @@ fn generate_in<S: Simulator>(
             let of = remaining_scenes.len() as u32;
             run.place += 1;
             let mut failures = 0;
+            if progress.is_stopped() {
+                return Err(SimulatorError::Interrupted.into());
+            }
             while let Err(failure) = run.video(&mut map, &load, settings, of, &mut index, &mut generated.sensors) {
                 failures += 1;
                 // What is loaded there may be lost with the connection.
@@ -143,11 +157,15 @@ fn generate_in<S: Simulator>(
     Ok(generated)
 }
 
-/// Sites of the cameras of a rig that stand still on a map: the same in all videos.
-fn fixed_of_rig(plan: &Plan, map: &str) -> Vec<CameraSite> {
-    let video = plan.scenes.iter().find(|scene| scene.map == map);
-    let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
-    sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)).collect()
+/// How the files are written that all shards write.
+fn shared_files(shard: Option<Shard>) -> SharedFiles {
+    shard.map_or_else(SharedFiles::alone, |shard| SharedFiles::of(format!("{}-of-{}", shard.number(), shard.of())))
+}
+
+/// Whether a writer of temporary files may be at work beside this shard: one of as many shards.
+fn is_of_same_shards(writer: &str, shard: Option<Shard>) -> bool {
+    let of = writer.split_once("-of-").map(|(_, of)| of);
+    shard.is_some_and(|shard| of == Some(shard.of().to_string().as_str()))
 }
 
 /// Frames of all cameras of a video, and measurements of the sensors of its rig.

@@ -24,3 +24,4 @@ mod record;
 mod rig;
 mod seen;
 mod sensor_geometry;
+mod streaming;
