@@ -215,6 +215,7 @@ def stream(
     *,
     config: Optional[PathLike] = None,
     start: int = 0,
+    shard: Optional[tuple[int, int]] = None,
     threads: Optional[int] = None,
     buffer: int = 4,
     order: str = "map",
@@ -233,7 +234,8 @@ def stream(
 
     Args:
         config: A recipe in a TOML file; options that are given here win over it.
-        start: The first frame, counted over all videos: `frame.index` of the last one plus 1 goes on.
+        start: The first frame, counted over all videos of the stream: `frame.index` of the last one plus 1 goes on.
+        shard: `(I, N)`: the videos of part I of N alone, I from 1 to N; the same as those of `generate`.
         threads: How many threads work; all cores by default.
         buffer: How many frames may wait for you, 1 to 1024.
         order: `map`: the videos of a map one after the other, so that each is loaded once; `video`: as they are numbered,
@@ -249,7 +251,7 @@ def stream(
     if order not in ("map", "video"):
         raise RecipeError(f"order cannot be {order!r}: use map or video")
     first, waiting = _whole("start", start, 0, 2**63), _whole("buffer", buffer, 1, 1024)
-    told = flags(config=config, threads=threads, cache=cache, memory=memory)
+    told = flags(config=config, threads=threads, shard=shard, cache=cache, memory=memory)
     return Stream(_native.FrameStream(recipe_json(recipe), told, first, order == "video", waiting))
 
 

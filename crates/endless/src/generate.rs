@@ -6,7 +6,7 @@ use endless_carla::client::{Address, CarlaSettings, CarlaSimulator, StopFlag};
 use endless_dataset::{Recipe, RecipeDraft};
 use endless_interchange::{MapLibrary, TrackFile};
 use endless_pipeline::{
-    BakeCache, BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, Progress, RecipeError, Simulator,
+    BakeCache, BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, Progress, RecipeError, Shard, Simulator,
     generate, read_cameras, read_recipe, read_rig, resolve_recipe,
 };
 use std::{io::Write, process::ExitCode, time::Duration};
@@ -21,9 +21,9 @@ pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs, threads: usize) -
     reporter.finish();
     let made = made?;
     if args.plan_only {
-        print_order(&made.plan)?;
+        print_order(&made.plan, args.shard)?;
     } else {
-        eprintln!("{}", summary(&made));
+        eprintln!("{}", summary(&made, args.shard));
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -53,6 +53,7 @@ impl WithSimulator for Record<'_> {
             allow_other_build: args.allow_other_build,
             threads,
             plan_only: args.plan_only,
+            shard: args.shard,
         };
         Ok(generate(simulator, recipe, &args.out, &options, progress)?)
     }
@@ -141,9 +142,9 @@ fn bake_cache(args: &GenerateArgs) -> Result<BakeCache> {
     }
 }
 
-fn print_order(plan: &Plan) -> Result<()> {
+fn print_order(plan: &Plan, shard: Option<Shard>) -> Result<()> {
     let mut out = std::io::stdout().lock();
-    for video in plan.work_order() {
+    for video in plan.part(shard) {
         let s = &plan.scenes[video as usize];
         let cameras: Vec<&str> = s.cameras.iter().map(|c| c.site.name.as_str()).collect();
         writeln!(out, "{video:04} {} {} {} {}", s.map, s.weather, s.time_of_day, cameras.join("+"))?;
@@ -151,9 +152,14 @@ fn print_order(plan: &Plan) -> Result<()> {
     Ok(())
 }
 
-fn summary(made: &Generated) -> String {
-    if made.videos == 0 {
-        return "nothing to do: the dataset is complete".into();
+fn summary(made: &Generated, shard: Option<Shard>) -> String {
+    match shard {
+        Some(shard) if made.plan.part(Some(shard)).is_empty() => {
+            return format!("nothing to do: shard {shard} has no videos, the others make them as fast");
+        }
+        Some(shard) if made.videos == 0 => return format!("nothing to do: shard {shard} is complete"),
+        None if made.videos == 0 => return "nothing to do: the dataset is complete".into(),
+        _ => {}
     }
     let recording = made.times.record.as_secs_f64().max(1e-9);
     let megabytes = made.bytes as f64 / 1e6;

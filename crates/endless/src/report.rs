@@ -81,14 +81,18 @@ impl Progress for Reporter {
 pub fn line_of(event: &ProgressEvent<'_>) -> Option<String> {
     Some(match *event {
         ProgressEvent::Start { videos: 0, .. } | ProgressEvent::Frame { .. } => return None,
-        ProgressEvent::Start { videos, complete, estimate } => {
+        ProgressEvent::Start { videos, complete, estimate, shard } => {
+            let shard = shard.map(|shard| format!("shard {shard}: ")).unwrap_or_default();
             let done = if complete > 0 { format!(" ({complete} are complete)") } else { String::new() };
             format!(
-                "{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
+                "{shard}{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
                 estimate.camera_frames,
                 human_bytes(estimate.bytes),
                 human_bytes(estimate.free)
             )
+        }
+        ProgressEvent::NoLocks => {
+            "warning: this file system knows no locks: see to it that no two processes make the same shard".to_owned()
         }
         ProgressEvent::LoadMap { map } => format!("loading {map}"),
         ProgressEvent::Video { name, place, of, .. } => format!("video {place} of {of}: {name}"),

@@ -1,6 +1,6 @@
 //! Errors between a recipe and its dataset. Every message is one line that says what to do.
 
-use crate::{DiskEstimate, SimulatorError};
+use crate::{DiskEstimate, Shard, SimulatorError};
 use endless_annotate::AnnotateError;
 use endless_dataset::{BuildIdentity, DatasetError, OptionError};
 use endless_interchange::TrackFileError;
@@ -172,6 +172,26 @@ pub enum GenerateError {
         /// The output.
         path: PathBuf,
     },
+    /// Somebody else makes the same shard.
+    #[error("another process is making shard {shard} of this dataset: wait for it, or make another: {}", path.display())]
+    ShardLocked {
+        /// The shard.
+        shard: Shard,
+        /// The output.
+        path: PathBuf,
+    },
+    /// Somebody else makes a shard of another number of shards.
+    #[error(
+        "another process is making one of {of} shards of this dataset, and these would share videos: wait for it, or make \
+         one of {of}, too: {}",
+        path.display()
+    )]
+    OtherShards {
+        /// How many shards there are of theirs.
+        of: u32,
+        /// The output.
+        path: PathBuf,
+    },
     /// The output holds the dataset of another recipe.
     #[error(
         "the output holds a dataset of another recipe ({field} is {theirs} there, {mine} here): use the same recipe \
@@ -202,9 +222,21 @@ pub enum GenerateError {
         /// The output.
         path: PathBuf,
     },
+    /// A dataset of an older format.
+    #[error(
+        "the dataset has format {found}, which this program reads and does not go on with: use the program that began it, \
+         or give another folder: {}",
+        path.display()
+    )]
+    OlderFormat {
+        /// Its format.
+        found: u32,
+        /// The output.
+        path: PathBuf,
+    },
     /// Images that nothing tells the build of.
     #[error(
-        "dataset.json is missing, and nothing says which build of endless made this video: delete it, give another \
+        "builds.json is missing, and nothing says which build of endless made this video: delete it, give another \
          folder, or resume it with --allow-other-build: {}",
         path.display()
     )]

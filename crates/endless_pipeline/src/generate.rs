@@ -1,15 +1,19 @@
 //! A whole run: plan, scenes, videos, resume.
 
+mod begun_video;
 mod estimate;
+mod index;
 mod lock;
+mod lock_file;
 mod output;
 
 use crate::{
-    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Simulator, SimulatorError, StageTimes,
+    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard, Simulator, SimulatorError, StageTimes,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
-use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
+use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};
 use endless_world::SceneSettings;
+use index::DatasetIndex;
 use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
 use std::{path::Path, time::Instant};
@@ -25,6 +29,8 @@ pub struct GenerateOptions {
     pub threads: usize,
     /// Write the scenes and stop.
     pub plan_only: bool,
+    /// The part of the videos to make; all of them without.
+    pub shard: Option<Shard>,
 }
 
 /// The result of a run.
@@ -78,17 +84,27 @@ fn generate_in<S: Simulator>(
     let plan = Plan::new(recipe, simulator)?;
     let claim =
         ResumeRequest { recipe, plan: &plan, build: &options.build, allow_other_build: options.allow_other_build };
-    let output = OutputFolder::inspect(&layout, &claim)?;
-    let estimate = estimate::estimate(&layout, recipe, &output.remaining_scenes(&plan))?;
+    let part = plan.part(options.shard);
+    let output = OutputFolder::inspect(&layout, &claim, &part)?;
+    let estimate = estimate::estimate(&layout, recipe, &output.remaining_scenes(&plan, &part))?;
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
-    let _lock = DatasetLock::take(&layout)?;
+    let lock = DatasetLock::take(&layout, options.shard)?;
+    if !lock.holds() {
+        progress.event(&ProgressEvent::NoLocks);
+    }
     // Once more, now that nobody else can change it.
-    let output = OutputFolder::inspect(&layout, &claim)?;
-    let remaining_scenes = output.remaining_scenes(&plan);
-    let mut manifest = output.manifest(&claim);
-    output::write_plan(&layout, &manifest, &plan)?;
+    let output = OutputFolder::inspect(&layout, &claim, &part)?;
+    let remaining_scenes = output.remaining_scenes(&plan, &part);
+    let files = shared_files(options.shard);
+    for folder in [layout.root(), &layout.scenes()] {
+        files.remove_temporaries(folder, |writer| !lock.holds() || is_of_same_shards(writer, options.shard))?;
+    }
+    output::write_plan(&layout, &plan, &files)?;
+    output::reopen(&layout, &remaining_scenes)?;
+    let mut index = DatasetIndex::new(&layout, claim, &files);
+    index.update()?;
     let mut generated = Generated {
         plan: plan.clone(),
         videos: 0,
@@ -101,8 +117,13 @@ fn generate_in<S: Simulator>(
     if options.plan_only {
         return Ok(generated);
     }
-    let complete = recipe.videos - remaining_scenes.len() as u32;
-    progress.event(&ProgressEvent::Start { videos: remaining_scenes.len() as u32, complete, estimate });
+    let complete = (part.len() - remaining_scenes.len()) as u32;
+    progress.event(&ProgressEvent::Start {
+        videos: remaining_scenes.len() as u32,
+        complete,
+        estimate,
+        shard: options.shard,
+    });
     let clock = StageClock::default();
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
@@ -120,7 +141,7 @@ fn generate_in<S: Simulator>(
             if progress.is_stopped() {
                 return Err(SimulatorError::Interrupted.into());
             }
-            while let Err(failure) = run.video(&mut map, &load, settings, of, &mut manifest, &mut generated.sensors) {
+            while let Err(failure) = run.video(&mut map, &load, settings, of, &mut index, &mut generated.sensors) {
                 failures += 1;
                 // What is loaded there may be lost with the connection.
                 map = None;
@@ -134,6 +155,17 @@ fn generate_in<S: Simulator>(
     generated.seconds = start.elapsed().as_secs_f64();
     generated.times = clock.times();
     Ok(generated)
+}
+
+/// How the files are written that all shards write.
+fn shared_files(shard: Option<Shard>) -> SharedFiles {
+    shard.map_or_else(SharedFiles::alone, |shard| SharedFiles::of(format!("{}-of-{}", shard.number(), shard.of())))
+}
+
+/// Whether a writer of temporary files may be at work beside this shard: one of as many shards.
+fn is_of_same_shards(writer: &str, shard: Option<Shard>) -> bool {
+    let of = writer.split_once("-of-").map(|(_, of)| of);
+    shard.is_some_and(|shard| of == Some(shard.of().to_string().as_str()))
 }
 
 /// Frames of all cameras of a video, and measurements of the sensors of its rig.
@@ -167,14 +199,14 @@ impl<S: Simulator> GenerateRun<'_, S> {
         Ok(())
     }
 
-    /// Records a video, and notes in the manifest who does it, before it begins, and that it is complete.
+    /// Records a video, and notes who does it before it begins, and that it is complete.
     fn video(
         &mut self,
         map: &mut Option<S::Map>,
         load: &impl Fn() -> Result<S::Map, SimulatorError>,
         settings: &SceneSettings,
         of: u32,
-        manifest: &mut Manifest,
+        index: &mut DatasetIndex<'_>,
         sensors: &mut Vec<SensorTimes>,
     ) -> Result<(), GenerateError> {
         let map = match map {
@@ -184,9 +216,9 @@ impl<S: Simulator> GenerateRun<'_, S> {
         let name = VideoLayout::name(settings);
         let camera_frames = measurements(settings);
         self.progress.event(&ProgressEvent::Video { name: &name, place: self.place, of, camera_frames });
-        manifest.note_build(settings.video as usize, &self.options.build);
-        write_json_durable(&self.layout.manifest(), manifest)?;
         let layout = self.layout.video(settings);
+        layout.note_build(&self.options.build)?;
+        index.update()?;
         let streams = Stream::all(self.recipe, settings, &layout);
         let recording = Recording {
             settings,
@@ -197,12 +229,10 @@ impl<S: Simulator> GenerateRun<'_, S> {
             progress: self.progress,
             clock: self.clock,
         };
-        let record = self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
+        self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
         streams.iter().for_each(|stream| stream.add_times(sensors));
         self.progress.event(&ProgressEvent::VideoDone { name: &name });
-        let entry = &mut manifest.videos[settings.video as usize];
-        (entry.state, entry.boxes) = (VideoState::Complete, Some(record.boxes));
-        write_json_durable(&self.layout.manifest(), manifest)?;
+        index.update()?;
         Ok(())
     }
 }

@@ -54,6 +54,7 @@ mod progress;
 mod recipe;
 mod record;
 mod rig;
+mod shard;
 mod simulator;
 mod simulator_error;
 mod streaming;
@@ -71,6 +72,7 @@ pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::{SensorTimes, StageTimes};
 pub use rig::read_rig;
+pub use shard::Shard;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneBodies, SceneTruth, SensorReading,
     SimulationSession, SimulationStep, Simulator, TrackFileSummary,
