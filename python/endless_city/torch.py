@@ -10,11 +10,15 @@
 Needs `torch` and `torchvision`: `pip install endless-city[torch]`.
 """
 
+# torchvision has no types.
+# mypy: disable-error-code="import-untyped"
+# pyright: reportMissingTypeStubs=false
+
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Optional, Union, cast
 
 import torch
 import torch.distributed
@@ -34,9 +38,15 @@ Sample = tuple[Any, dict[str, Any]]
 _Transforms = Callable[..., Any]
 
 
+def _tensor(array: Any) -> torch.Tensor:
+    """NumPy's array as a tensor, of the same memory."""
+    tensor: torch.Tensor = cast(Any, torch).from_numpy(array)
+    return tensor
+
+
 def image_tensor(frame: CameraFrame) -> tv_tensors.Image:
     """The picture: `tv_tensors.Image`, uint8, (3, H, W), sRGB."""
-    return tv_tensors.Image(torch.from_numpy(frame.rgb).permute(2, 0, 1))
+    return tv_tensors.Image(_tensor(frame.rgb).permute(2, 0, 1))
 
 
 def detection_target(
@@ -61,17 +71,17 @@ def detection_target(
     seen = ~(objects.visibility < min_visibility)
     width, height = frame.size
     target: dict[str, Any] = {
-        "boxes": tv_tensors.BoundingBoxes(  # type: ignore[call-overload]
-            torch.from_numpy(objects.boxes_xyxy[seen]), format="XYXY", canvas_size=(height, width)
+        "boxes": cast(Any, tv_tensors.BoundingBoxes)(
+            _tensor(objects.boxes_xyxy[seen]), format="XYXY", canvas_size=(height, width)
         ),
-        "labels": torch.from_numpy(objects.class_ids[seen] + 1),
+        "labels": _tensor(objects.class_ids[seen] + 1),
         "image_id": torch.tensor(image_id),
-        "area": torch.from_numpy(objects.pixels[seen]).to(torch.float32),
+        "area": _tensor(objects.pixels[seen]).to(torch.float32),
         "iscrowd": torch.zeros(int(seen.sum()), dtype=torch.int64),
     }
     if masks:
-        ids = torch.from_numpy(objects.ids[seen])
-        target["masks"] = tv_tensors.Mask(torch.from_numpy(frame.instance)[None] == ids[:, None, None])
+        ids = _tensor(objects.ids[seen])
+        target["masks"] = tv_tensors.Mask(_tensor(frame.instance)[None] == ids[:, None, None])
     return target
 
 
