@@ -30,7 +30,7 @@ pub enum StreamOrder {
 }
 
 /// Settings of a stream that are not part of the recipe.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct StreamOptions {
     /// Number of threads.
     pub threads: usize,

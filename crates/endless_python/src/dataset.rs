@@ -20,12 +20,7 @@ pub(crate) struct DatasetReader {
 #[pymethods]
 impl DatasetReader {
     #[new]
-    fn new(
-        py: Python<'_>,
-        root: PathBuf,
-        videos: Option<Vec<String>>,
-        cameras: Option<Vec<String>>,
-    ) -> PyResult<Self> {
+    fn new(py: Python<'_>, root: PathBuf, videos: Option<Vec<String>>, cameras: Option<Vec<String>>) -> PyResult<Self> {
         let open = || FrameReader::open(&root, &FrameSelection { videos, cameras });
         Ok(Self { reader: py.detach(open).map_err(|error| unreadable(&error))? })
     }

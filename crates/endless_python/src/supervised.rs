@@ -36,9 +36,8 @@ pub(crate) fn supervised<T: Send + 'static>(
     })?;
     // A receiver is for one thread; this is the one, with and without the lock.
     let result = Mutex::new(result);
-    let wait = |py: Python<'_>, time| {
-        py.detach(|| result.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(time))
-    };
+    let wait =
+        |py: Python<'_>, time| py.detach(|| result.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(time));
     loop {
         let answer = wait(py, LOOK);
         let told = py.check_signals().and_then(|()| report(py));
