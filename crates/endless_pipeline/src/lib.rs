@@ -56,6 +56,7 @@ mod record;
 mod rig;
 mod simulator;
 mod simulator_error;
+mod store;
 #[cfg(test)]
 mod test_catalog;
 mod text_position;
@@ -75,4 +76,5 @@ pub use simulator::{
     SimulationSession, SimulationStep, Simulator, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;
+pub use store::{DatasetStore, FolderStore, StoreError, StoredFiles};
 pub use user_camera::{cameras_from_text, read_cameras};
