@@ -24,8 +24,17 @@ impl AtomicFile {
     /// # Errors
     /// When it cannot be created.
     pub fn create(final_path: &Path) -> Result<Self, DatasetError> {
+        Self::create_named(final_path, "")
+    }
+
+    /// The same of one of several processes that write this file: the temporary one bears the writer's name.
+    pub(crate) fn create_by(final_path: &Path, writer: &str) -> Result<Self, DatasetError> {
+        Self::create_named(final_path, &format!("@{writer}"))
+    }
+
+    fn create_named(final_path: &Path, addition: &str) -> Result<Self, DatasetError> {
         let name = final_path.file_name().unwrap_or_default().to_string_lossy();
-        let temporary = final_path.with_file_name(format!(".{name}{SUFFIX}"));
+        let temporary = final_path.with_file_name(format!(".{name}{addition}{SUFFIX}"));
         let file = File::create(&temporary).map_err(|e| DatasetError::io("cannot write", final_path, e))?;
         let writer = Some(BufWriter::with_capacity(1 << 16, file));
         Ok(Self { final_path: final_path.to_owned(), temporary, writer })

@@ -31,12 +31,14 @@ pub enum DatasetError {
     },
     /// A dataset of another format.
     #[error(
-        "the dataset has format {found}, this program reads and writes {expected}: use the program that made it: {}",
+        "the dataset has format {found}, this program reads {oldest} to {expected}: use the program that made it: {}",
         path.display()
     )]
     OtherFormat {
         /// Its format.
         found: u32,
+        /// The oldest that this program reads.
+        oldest: u32,
         /// That of this program.
         expected: u32,
         /// Its `dataset.json`.

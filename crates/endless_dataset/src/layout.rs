@@ -2,6 +2,7 @@
 
 use crate::{
     DatasetError, Layer, MAX_CAMERAS, RgbFormat,
+    atomic::is_temporary,
     durable::{sync_folder, sync_tree},
     listing::list,
 };
@@ -85,6 +86,19 @@ impl VideoLayout {
     /// `scene.json`, written last: where it is, the video is complete.
     pub fn scene(&self) -> PathBuf {
         self.folder.join("scene.json")
+    }
+
+    /// `builds.json`, written first: which builds of the program have worked on the video.
+    pub fn builds(&self) -> PathBuf {
+        self.folder.join("builds.json")
+    }
+
+    /// Whether anything lies in the folder that is not half-written.
+    ///
+    /// # Errors
+    /// When the folder cannot be read.
+    pub fn is_begun(&self) -> Result<bool, DatasetError> {
+        Ok(list(&self.folder)?.iter().any(|path| !is_temporary(path)))
     }
 
     /// `actors.json`, where the simulator knows its objects.

@@ -55,8 +55,10 @@ mod rgb_format;
 mod scene_record;
 mod sensor_files;
 mod sensor_record;
+mod shared_files;
 mod stored_image;
 mod video;
+mod video_builds;
 
 pub use actor_schema::ActorSchema;
 pub use actors::{read_actors, write_actors};
@@ -97,5 +99,6 @@ pub use rgb_format::{RgbFormat, RgbFormatEntry, read_rgb};
 pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable, write_json_line};
 pub use sensor_files::FrameFolder;
 pub use sensor_record::SensorRecord;
+pub use shared_files::SharedFiles;
 pub use stored_image::StoredImage;
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

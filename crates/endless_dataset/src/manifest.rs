@@ -37,19 +37,20 @@ pub struct VideoEntry {
     /// Annotated boxes of each camera, summed over frames; once complete.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub boxes: Option<Vec<u64>>,
-    /// Which of the manifest's `builds` have worked on it, in the order in which they came; none before it is begun.
+    /// Which of the manifest's `builds` have worked on it, as its `builds.json` says; none before it is begun.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub builds: Vec<usize>,
 }
 
-/// The whole of `dataset.json`.
+/// The whole of `dataset.json`: an index which can be made again of the recipe, its plan and what lies in `videos`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
     /// Version of the layout on disk.
     pub format: u32,
     /// The program's name.
     pub tool: String,
-    /// The builds of the program that were at work, in the order in which they came.
+    /// The builds of the program that were at work, in the order of the videos that they worked on; where none is begun, the
+    /// one that planned them.
     pub builds: Vec<BuildIdentity>,
     /// The recipe's seed, repeated where one looks for it.
     pub seed: u64,
@@ -62,8 +63,16 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    /// Version of the layout that this build writes and reads.
-    pub const FORMAT: u32 = 2;
+    /// Version of the layout that this build writes.
+    pub const FORMAT: u32 = 3;
+
+    /// The oldest that it reads. Before 3, no video had a `builds.json`, and this file alone said which builds made it.
+    pub const OLDEST_FORMAT: u32 = 2;
+
+    /// Whether this build reads a version of the layout.
+    pub fn reads(format: u32) -> bool {
+        (Self::OLDEST_FORMAT..=Self::FORMAT).contains(&format)
+    }
 
     /// The manifest of a planned dataset.
     pub fn new(recipe: Recipe, builds: Vec<BuildIdentity>, videos: Vec<VideoEntry>) -> Self {
@@ -85,22 +94,14 @@ impl Manifest {
             format: u32,
         }
         let FormatOnly { format } = read_json(path)?;
-        if format != Self::FORMAT {
-            return Err(DatasetError::OtherFormat { found: format, expected: Self::FORMAT, path: path.to_owned() });
+        if !Self::reads(format) {
+            return Err(DatasetError::OtherFormat {
+                found: format,
+                oldest: Self::OLDEST_FORMAT,
+                expected: Self::FORMAT,
+                path: path.to_owned(),
+            });
         }
         read_json(path)
-    }
-
-    /// Notes that a build works on a video.
-    pub fn note_build(&mut self, video: usize, build: &BuildIdentity) {
-        let listed = self.builds.iter().position(|other| other.makes_same_bytes(build));
-        let index = listed.unwrap_or_else(|| {
-            self.builds.push(build.clone());
-            self.builds.len() - 1
-        });
-        let entry = &mut self.videos[video];
-        if !entry.builds.contains(&index) {
-            entry.builds.push(index);
-        }
     }
 }

@@ -53,7 +53,7 @@ pub struct SceneRecord {
 /// # Errors
 /// When the disk refuses.
 pub fn write_json<T: Serialize>(path: &Path, value: &T) -> Result<(), DatasetError> {
-    write_atomic(path, &readable(path, value)?)
+    write_atomic(path, &json_text(path, value)?)
 }
 
 /// Writes a value as JSON on one line.
@@ -71,10 +71,11 @@ pub fn write_json_line<T: Serialize>(path: &Path, value: &T) -> Result<(), Datas
 /// # Errors
 /// When the disk refuses.
 pub fn write_json_durable<T: Serialize>(path: &Path, value: &T) -> Result<(), DatasetError> {
-    write_durable(path, &readable(path, value)?)
+    write_durable(path, &json_text(path, value)?)
 }
 
-fn readable<T: Serialize>(path: &Path, value: &T) -> Result<Vec<u8>, DatasetError> {
+/// A value as readable JSON.
+pub(crate) fn json_text<T: Serialize>(path: &Path, value: &T) -> Result<Vec<u8>, DatasetError> {
     let mut text = serde_json::to_vec_pretty(value).map_err(|e| DatasetError::malformed(path, e))?;
     text.push(b'\n');
     Ok(text)

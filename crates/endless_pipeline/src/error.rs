@@ -202,9 +202,21 @@ pub enum GenerateError {
         /// The output.
         path: PathBuf,
     },
+    /// A dataset of an older format.
+    #[error(
+        "the dataset has format {found}, which this program reads and does not go on with: use the program that began it, \
+         or give another folder: {}",
+        path.display()
+    )]
+    OlderFormat {
+        /// Its format.
+        found: u32,
+        /// The output.
+        path: PathBuf,
+    },
     /// Images that nothing tells the build of.
     #[error(
-        "dataset.json is missing, and nothing says which build of endless made this video: delete it, give another \
+        "builds.json is missing, and nothing says which build of endless made this video: delete it, give another \
          folder, or resume it with --allow-other-build: {}",
         path.display()
     )]

@@ -1,6 +1,8 @@
 //! A whole run: plan, scenes, videos, resume.
 
+mod begun_video;
 mod estimate;
+mod index;
 mod lock;
 mod output;
 
@@ -8,8 +10,9 @@ use crate::{
     GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Simulator, SimulatorError, StageTimes,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
-use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
+use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};
 use endless_world::{CameraSite, SceneSettings};
+use index::DatasetIndex;
 use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
 use std::{path::Path, time::Instant};
@@ -87,8 +90,14 @@ fn generate_in<S: Simulator>(
     // Once more, now that nobody else can change it.
     let output = OutputFolder::inspect(&layout, &claim)?;
     let remaining_scenes = output.remaining_scenes(&plan);
-    let mut manifest = output.manifest(&claim);
-    output::write_plan(&layout, &manifest, &plan)?;
+    let files = SharedFiles::alone();
+    for folder in [layout.root(), &layout.scenes()] {
+        files.remove_temporaries(folder, |_| false)?;
+    }
+    output::write_plan(&layout, &plan, &files)?;
+    output::reopen(&layout, &remaining_scenes)?;
+    let mut index = DatasetIndex::new(&layout, claim, &files);
+    index.update()?;
     let mut generated = Generated {
         plan: plan.clone(),
         videos: 0,
@@ -118,7 +127,7 @@ fn generate_in<S: Simulator>(
             let of = remaining_scenes.len() as u32;
             run.place += 1;
             let mut failures = 0;
-            while let Err(failure) = run.video(&mut map, &load, settings, of, &mut manifest, &mut generated.sensors) {
+            while let Err(failure) = run.video(&mut map, &load, settings, of, &mut index, &mut generated.sensors) {
                 failures += 1;
                 // What is loaded there may be lost with the connection.
                 map = None;
@@ -172,14 +181,14 @@ impl<S: Simulator> GenerateRun<'_, S> {
         Ok(())
     }
 
-    /// Records a video, and notes in the manifest who does it, before it begins, and that it is complete.
+    /// Records a video, and notes who does it before it begins, and that it is complete.
     fn video(
         &mut self,
         map: &mut Option<S::Map>,
         load: &impl Fn() -> Result<S::Map, SimulatorError>,
         settings: &SceneSettings,
         of: u32,
-        manifest: &mut Manifest,
+        index: &mut DatasetIndex<'_>,
         sensors: &mut Vec<SensorTimes>,
     ) -> Result<(), GenerateError> {
         let map = match map {
@@ -189,9 +198,9 @@ impl<S: Simulator> GenerateRun<'_, S> {
         let name = VideoLayout::name(settings);
         let camera_frames = measurements(settings);
         self.progress.event(&ProgressEvent::Video { name: &name, place: self.place, of, camera_frames });
-        manifest.note_build(settings.video as usize, &self.options.build);
-        write_json_durable(&self.layout.manifest(), manifest)?;
         let layout = self.layout.video(settings);
+        layout.note_build(&self.options.build)?;
+        index.update()?;
         let streams = Stream::all(self.recipe, settings, &layout);
         let recording = Recording {
             settings,
@@ -202,12 +211,10 @@ impl<S: Simulator> GenerateRun<'_, S> {
             progress: self.progress,
             clock: self.clock,
         };
-        let record = self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
+        self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
         streams.iter().for_each(|stream| stream.add_times(sensors));
         self.progress.event(&ProgressEvent::VideoDone { name: &name });
-        let entry = &mut manifest.videos[settings.video as usize];
-        (entry.state, entry.boxes) = (VideoState::Complete, Some(record.boxes));
-        write_json_durable(&self.layout.manifest(), manifest)?;
+        index.update()?;
         Ok(())
     }
 }

@@ -159,9 +159,9 @@ fn parse(text: &[u8]) -> Result<Manifest, String> {
         format: u32,
     }
     let FormatOnly { format } = serde_json::from_slice(text).map_err(|e| format!("is not a dataset's ({e})"))?;
-    if format != Manifest::FORMAT {
-        let own = Manifest::FORMAT;
-        return Err(format!("has format {format}, this program shows {own}: use the program that made it"));
+    if !Manifest::reads(format) {
+        let (from, to) = (Manifest::OLDEST_FORMAT, Manifest::FORMAT);
+        return Err(format!("has format {format}, this program shows {from} to {to}: use the program that made it"));
     }
     serde_json::from_slice(text).map_err(|e| format!("is not what it should be ({e})"))
 }

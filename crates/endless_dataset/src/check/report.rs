@@ -30,8 +30,8 @@ impl From<DatasetError> for Finding {
             DatasetError::Io { action, path, cause } => Self::new(path, format!("{action} ({cause})")),
             DatasetError::Malformed { reason, path } => Self::new(path, reason),
             DatasetError::DiskFull { path } => Self::new(path, "the disk is full"),
-            DatasetError::OtherFormat { found, expected, path } => {
-                Self::new(path, format!("has format {found} instead of {expected}"))
+            DatasetError::OtherFormat { found, oldest, expected, path } => {
+                Self::new(path, format!("has format {found} instead of {oldest} to {expected}"))
             }
             DatasetError::Video { reason } => Self::new("", reason),
         }

@@ -11,7 +11,9 @@ use super::{
     tracks,
     unexpected_files::unexpected_files,
 };
-use crate::{DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, read_json};
+use crate::{
+    BuildIdentity, DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, read_json,
+};
 use endless_world::SceneSettings;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -26,7 +28,12 @@ pub(super) fn check_video(
     let video = layout.video_named(&entry.name);
     let mut report = CheckReport::default();
     if entry.state != VideoState::Complete {
-        report.findings.push(Finding::new(video.folder(), "is not complete: run the same command again"));
+        let problem = if video.scene().exists() {
+            "is complete, and dataset.json does not say so: run the same command again"
+        } else {
+            "is not complete: run the same command again"
+        };
+        report.findings.push(Finding::new(video.folder(), problem));
         return report;
     }
     let planned: Result<SceneSettings, _> = read_json(&layout.scene(entry.video));
@@ -60,11 +67,14 @@ pub(super) fn check_video(
     }
     let mut folders: BTreeSet<String> =
         (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
+    // Before format 3 there was none.
+    folders.extend((manifest.format >= 3).then(|| "builds.json".to_owned()));
     folders.extend(record.settings.sensors.iter().map(|sensor| sensor.name.clone()));
     folders.extend(record.actors.map(|_| "actors.json".to_owned()));
     folders.extend(video.frames().is_file().then(|| "frames.jsonl".to_owned()));
     report.findings.extend(unexpected_files(video.folder(), &folders));
     report.findings.extend(missing_files(&video, &record));
+    report.findings.extend(check_builds(&video, manifest, entry));
     report.findings.extend(check_frames(&video, &record.settings, &manifest.recipe));
     let cameras: Vec<camera::CameraCheck> = (0..count)
         .into_par_iter()
@@ -90,6 +100,25 @@ pub(super) fn check_video(
         report.merge(camera.report);
     }
     report
+}
+
+/// Checks that the video and the manifest name the same builds.
+fn check_builds(video: &VideoLayout, manifest: &Manifest, entry: &VideoEntry) -> Option<Finding> {
+    let same = |mine: &BuildIdentity, index: &usize| {
+        manifest.builds.get(*index).is_some_and(|listed| listed == mine || listed.makes_same_bytes(mine))
+    };
+    match video.read_builds() {
+        _ if manifest.format < 3 => None,
+        None => Some(Finding::new(video.builds(), "does not say which build made the video")),
+        Some(builds)
+            if builds.len() == entry.builds.len() && builds.iter().zip(&entry.builds).all(|(b, i)| same(b, i)) =>
+        {
+            None
+        }
+        Some(_) => {
+            Some(Finding::new(video.builds(), "names other builds than dataset.json: run the same command again"))
+        }
+    }
 }
 
 /// Files that `scene.json` says are there.

@@ -71,17 +71,50 @@ fn a_video_that_two_builds_made_names_both() {
     // Who made a video that was thrown away is forgotten.
     fs::remove_dir_all(DatasetLayout::new(out.path()).videos()).expect("there");
     generate(&Fake::default(), &of(1), out.path(), &other_build(true), &SilentProgress).expect("begins anew");
-    assert_eq!(manifest(out.path()).videos[0].builds, [1]);
+    let anew = manifest(out.path());
+    assert_eq!((anew.builds, anew.videos[0].builds.as_slice()), (vec![build("other")], &[0][..]));
 }
 
 #[test]
-fn without_a_manifest_the_build_is_unknown() {
+fn a_manifest_that_is_lost_is_made_again_of_what_is_there() {
+    let out = tempfile::tempdir().expect("temp");
+    make(&Fake::default(), &of(2), out.path(), 2);
+    generate(&Fake::default(), &of(3), out.path(), &other_build(true), &SilentProgress).expect("goes on");
+    let before = contents(out.path());
+    fs::remove_file(DatasetLayout::new(out.path()).manifest()).expect("there");
+    let refused = generate(&Fake::default(), &of(3), out.path(), &options(2), &SilentProgress);
+    assert!(matches!(refused, Err(GenerateError::OtherBuild { .. })), "the videos say who made them");
+    generate(&Fake::default(), &of(3), out.path(), &other_build(true), &SilentProgress).expect("nothing to do");
+    assert!(before == contents(out.path()));
+}
+
+#[test]
+fn a_dataset_of_the_format_before_is_read_and_not_gone_on_with() {
+    let out = tempfile::tempdir().expect("temp");
+    make(&Fake::default(), &of(1), out.path(), 2);
+    let path = DatasetLayout::new(out.path()).manifest();
+    let text = fs::read_to_string(&path).expect("there").replacen("\"format\": 3", "\"format\": 2", 1);
+    fs::write(&path, text).expect("writable");
+    fs::remove_file(crate::fake::first_video(out.path()).builds()).expect("there");
+    assert_eq!(check(out.path()).expect("is read").findings, []);
+    let refused =
+        generate(&Fake::default(), &of(1), out.path(), &other_build(true), &SilentProgress).expect_err("refused");
+    assert!(matches!(refused, GenerateError::OlderFormat { found: 2, .. }), "{refused}");
+}
+
+#[test]
+fn a_video_that_does_not_say_who_made_it_is_of_an_unknown_build() {
     let (out, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
     make(&Fake::default(), &of(2), out.path(), 2);
     make(&Fake::default(), &of(2), whole.path(), 2);
-    let path = DatasetLayout::new(out.path()).manifest();
+    let layout = DatasetLayout::new(out.path());
+    let path = layout.manifest();
+    let videos = manifest(out.path()).videos.into_iter().map(|entry| entry.name).collect::<Vec<_>>();
     fs::remove_file(&path).expect("there");
     fs::remove_file(out.path().join("scenes/0001.json")).expect("there");
+    for name in &videos {
+        fs::remove_file(layout.video_named(name).builds()).expect("there");
+    }
     let refused = generate(&Fake::default(), &of(2), out.path(), &options(2), &SilentProgress).expect_err("refused");
     assert!(matches!(refused, GenerateError::UnknownBuild { .. }), "{refused}");
     let allowed = GenerateOptions { allow_other_build: true, ..options(2) };
@@ -91,7 +124,12 @@ fn without_a_manifest_the_build_is_unknown() {
     let manifest = manifest(out.path());
     assert_eq!(manifest.builds, [BuildIdentity::unknown()]);
     assert!(manifest.videos.iter().all(|video| video.builds == [0]));
+    assert_eq!(check(out.path()).expect("a dataset").findings.len(), 2, "both videos lack it");
     fs::copy(DatasetLayout::new(whole.path()).manifest(), &path).expect("copies");
+    for name in &videos {
+        let (theirs, mine) = (DatasetLayout::new(whole.path()), &layout);
+        fs::copy(theirs.video_named(name).builds(), mine.video_named(name).builds()).expect("copies");
+    }
     crate::fake::assert_same(out.path(), whole.path());
 }
 
@@ -103,6 +141,6 @@ fn another_format_is_refused_in_one_line() {
     fs::write(&path, "{\"format\": 1, \"tool\": {\"name\": \"endless\", \"version\": \"0.1.0\"}}").expect("writable");
     let refused =
         generate(&Fake::default(), &of(1), out.path(), &other_build(true), &SilentProgress).expect_err("refused");
-    assert!(refused.to_string().contains("has format 1, this program reads and writes 2"), "{refused}");
-    assert!(matches!(check(out.path()), Err(DatasetError::OtherFormat { found: 1, expected: 2, .. })));
+    assert!(refused.to_string().contains("has format 1, this program reads 2 to 3"), "{refused}");
+    assert!(matches!(check(out.path()), Err(DatasetError::OtherFormat { found: 1, expected: 3, .. })));
 }
