@@ -65,7 +65,7 @@ mod user_camera;
 pub use builtin::{BakeCache, BuiltinMap, BuiltinSimulator, SceneBoxes};
 pub use disk_estimate::DiskEstimate;
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
-pub use generate::{GenerateOptions, Generated, generate};
+pub use generate::{GenerateOptions, Generated, generate, generate_into};
 pub use plan::Plan;
 pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};

@@ -1,14 +1,14 @@
 //! Where a dataset is kept, which need not be the folder in which its videos are recorded.
 
 use endless_dataset::{DatasetError, DatasetLayout, VideoLayout};
-use std::{collections::BTreeSet, error::Error, fs, io, path::Path};
+use std::{collections::BTreeSet, error::Error, fmt, fs, io, path::Path};
 
 /// Keeps a dataset.
 ///
 /// A run records each video in a folder, the layout that all calls get. A store that is elsewhere takes each video from there
 /// when it is complete, and leaves `builds.json` and `scene.json` of what it keeps, so that the folder tells of the whole
 /// dataset, as if it lay there.
-pub trait DatasetStore: Sync {
+pub trait DatasetStore: Sync + fmt::Debug {
     /// Before a run: puts there what a killed run was about to put, and brings to the folder what there is of
     /// `dataset.json`, of `scenes` and of each video's `builds.json` and `scene.json`. What is not there any more goes from the folder, too.
     ///
@@ -33,6 +33,12 @@ pub trait DatasetStore: Sync {
     /// # Errors
     /// When the store refuses.
     fn put_scenes(&self, layout: &DatasetLayout) -> Result<(), StoreError>;
+
+    /// A video that is said to be complete has lost files: takes back what says so.
+    ///
+    /// # Errors
+    /// When the store refuses.
+    fn reopen_video(&self, video: &VideoLayout) -> Result<(), StoreError>;
 
     /// Takes over a video that is complete, perhaps while others are recorded. `scene.json` comes last.
     ///
@@ -141,6 +147,10 @@ impl DatasetStore for FolderStore {
     }
 
     fn put_scenes(&self, _layout: &DatasetLayout) -> Result<(), StoreError> {
+        Ok(())
+    }
+
+    fn reopen_video(&self, _video: &VideoLayout) -> Result<(), StoreError> {
         Ok(())
     }
 

@@ -54,7 +54,7 @@ impl RemoteDataset {
         Self::of(bucket, work)
     }
 
-    fn of(bucket: Bucket, work: WorkFolder) -> Result<Self, StorageError> {
+    pub(crate) fn of(bucket: Bucket, work: WorkFolder) -> Result<Self, StorageError> {
         let runtime = runtime().map_err(|e| bucket.error("cannot begin", Problem::Disk(e), ""))?;
         Ok(Self { bucket, work, runtime, uploading: Mutex::new(None) })
     }
@@ -188,11 +188,17 @@ impl DatasetStore for RemoteDataset {
         })
     }
 
+    fn reopen_video(&self, video: &VideoLayout) -> Result<(), StoreError> {
+        let name = video.folder().file_name().unwrap_or_default().to_string_lossy();
+        Ok(self.runtime.block_on(self.bucket.remove(&format!("videos/{name}/{SCENE}")))?)
+    }
+
     fn put_video(&self, video: &VideoLayout) -> Result<(), StoreError> {
         let name = video.folder().file_name().unwrap_or_default().to_string_lossy().into_owned();
         let mut uploading = self.uploading.lock().unwrap_or_else(PoisonError::into_inner);
-        self.wait_for_upload(&mut uploading)?;
+        // First of all: if the one before fails, this one is not lost.
         self.work.take(&name)?;
+        self.wait_for_upload(&mut uploading)?;
         let (bucket, work) = (self.bucket.clone(), self.work.clone());
         let task = {
             let name = name.clone();

@@ -127,7 +127,8 @@ impl WorkFolder {
     /// Removes everything but the lock.
     pub(crate) fn clear(&self) -> Result<(), DatasetError> {
         let layout = self.dataset();
-        for path in list(layout.root())?.into_iter().filter(|path| *path != layout.lock()) {
+        let is_lock = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().starts_with(".lock");
+        for path in list(layout.root())?.into_iter().filter(|path| !is_lock(path)) {
             remove(&path)?;
         }
         remove(&self.root.join("outgoing"))

@@ -1,6 +1,7 @@
 //! `dataset.json`: an index that anybody can make again of the recipe, its plan and what lies in `videos`.
 
 use super::{begun_video::BegunVideo, output::ResumeRequest};
+use crate::StoreError;
 use endless_dataset::{
     BuildIdentity, DatasetError, DatasetLayout, Manifest, SharedFiles, VideoEntry, VideoLayout, VideoState,
 };
@@ -28,10 +29,11 @@ impl<'a> DatasetIndex<'a> {
     }
 
     /// Writes the index of what is there now.
-    pub(super) fn update(&mut self) -> Result<(), DatasetError> {
+    pub(super) fn update(&mut self) -> Result<(), StoreError> {
         self.look()?;
         loop {
             self.files.write_json_durable(&self.layout.manifest(), &self.manifest())?;
+            self.request.store.put_index(self.layout)?;
             if !self.look()? {
                 return Ok(());
             }
@@ -42,7 +44,8 @@ impl<'a> DatasetIndex<'a> {
     ///
     /// Folders are listed, which asks the server of a network's file system for what is new; the mere name of a file may
     /// still be unknown here when another machine has written it.
-    fn look(&mut self) -> Result<bool, DatasetError> {
+    fn look(&mut self) -> Result<bool, StoreError> {
+        self.request.store.refresh(self.layout)?;
         let names = names(self.layout)?;
         let mut changed = false;
         for settings in &self.request.plan.scenes {
