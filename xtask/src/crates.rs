@@ -15,6 +15,7 @@ const LAYERS: &[&[&str]] = &[
     &["endless_pipeline"],
     &["endless_carla"],
     &["endless", "endless_fuzz"],
+    &["endless_python"],
 ];
 
 pub(crate) fn check(root: &Path) -> Result<()> {

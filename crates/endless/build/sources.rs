@@ -6,8 +6,8 @@ use std::{
     process::Command,
 };
 
-/// Crates that only read datasets: nothing in them decides what is in one.
-const READERS: [&str; 3] = ["endless_export", "endless_statistics", "endless_view"];
+/// Crates that decide nothing of what is in a dataset: they only read datasets, or bring the program to Python.
+const BYSTANDERS: [&str; 4] = ["endless_export", "endless_python", "endless_statistics", "endless_view"];
 
 /// Everything that decides the bytes which a build writes: the sources of the crates that make datasets, and which libraries they
 /// use.
@@ -28,8 +28,8 @@ impl Sources {
             Some(root) => list(&root.join("crates"))?,
             None => vec![root.clone()],
         };
-        let is_reader = |folder: &PathBuf| READERS.iter().any(|name| folder.ends_with(name));
-        for folder in crates.into_iter().filter(|folder| !is_reader(folder)) {
+        let is_bystander = |folder: &PathBuf| BYSTANDERS.iter().any(|name| folder.ends_with(name));
+        for folder in crates.into_iter().filter(|folder| !is_bystander(folder)) {
             inputs.extend(["Cargo.toml", "src", "build"].map(|name| folder.join(name)));
         }
         inputs.retain(|path| path.exists());

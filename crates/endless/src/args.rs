@@ -14,6 +14,7 @@ use endless_carla::client::Address;
 use endless_carla::server::QualityLevel;
 use endless_export::{Format, SplitBy, SplitShares};
 use endless_interchange::TrajectoryFormat;
+use endless_pipeline::Shard;
 use endless_world::{DrivingSide, Region, SignalControl, TimeOfDay, Weather};
 use std::path::PathBuf;
 
@@ -112,6 +113,10 @@ pub(crate) struct GenerateArgs {
     /// Write the settings of all scenes, print the work order, and stop.
     #[arg(long)]
     pub(crate) plan_only: bool,
+    /// Make one of so many parts of the videos, as in 3/8: other processes and machines make the others in the same folder
+    /// at the same time (docs/cluster.md).
+    #[arg(long, value_name = "I/N")]
+    pub(crate) shard: Option<Shard>,
     /// Resume a dataset that another build of endless began, although that build may make other bytes; `dataset.json`
     /// lists the builds of every video.
     #[arg(long)]
@@ -290,6 +295,9 @@ pub(crate) struct ExportFiles {
 pub(crate) struct CheckArgs {
     /// Folder of the dataset.
     pub(crate) out: PathBuf,
+    /// Also tell which of so many shards make the videos that are missing.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Shard::MAX)))]
+    pub(crate) shards: Option<u32>,
 }
 
 #[derive(Debug, Args)]

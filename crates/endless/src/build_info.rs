@@ -3,8 +3,8 @@
 use endless_dataset::{BuildIdentity, Manifest};
 use std::sync::LazyLock;
 
-/// This build.
-pub(crate) fn this_build() -> BuildIdentity {
+/// What identifies this build.
+pub fn this_build() -> BuildIdentity {
     let commit = env!("ENDLESS_COMMIT");
     BuildIdentity {
         version: env!("CARGO_PKG_VERSION").into(),

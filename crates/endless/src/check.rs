@@ -2,8 +2,9 @@
 
 use crate::{args::CheckArgs, exit::FAILURE, progress_bar::bar_of};
 use anyhow::{Context, Result};
-use endless_dataset::{CheckOptions, DatasetError, check_with};
-use std::{io::Write, process::ExitCode};
+use endless_dataset::{CheckOptions, DatasetError, DatasetLayout, VideoLayout, check_with};
+use endless_pipeline::{Plan, Shard};
+use std::{io::Write, path::Path, process::ExitCode};
 
 pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
     let bar = bar_of("frames of images and videos");
@@ -22,6 +23,11 @@ pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
     for finding in &report.findings {
         writeln!(out, "{finding}")?;
     }
+    if let Some(shards) = args.shards {
+        for (shard, missing) in missing_of_shards(&args.out, shards)? {
+            writeln!(out, "shard {shard} still has to make {}: run it again", missing.join(", "))?;
+        }
+    }
     let counts = format!("{} videos, {} images, {} boxes", report.videos, report.images, report.boxes);
     match report.findings.len() {
         0 => {
@@ -33,4 +39,16 @@ pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
             Ok(ExitCode::from(FAILURE))
         }
     }
+}
+
+/// Shards whose videos are not all complete, and the names of these.
+fn missing_of_shards(root: &Path, shards: u32) -> Result<Vec<(Shard, Vec<String>)>> {
+    let layout = DatasetLayout::new(root);
+    let plan = Plan::read(&layout)?;
+    let missing = |videos: Vec<u32>| -> Vec<String> {
+        let scenes = videos.into_iter().map(|video| &plan.scenes[video as usize]);
+        scenes.filter(|scene| !layout.video(scene).scene().exists()).map(VideoLayout::name).collect()
+    };
+    let by_shard = Shard::all(shards).zip(plan.shards(shards)).map(|(shard, videos)| (shard, missing(videos)));
+    Ok(by_shard.filter(|(_, missing)| !missing.is_empty()).collect())
 }

@@ -7,7 +7,7 @@
 /// What to tell who starts this build on a processor that lacks an instruction set which it was compiled for.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-pub(crate) fn missing_cpu_feature() -> Option<&'static str> {
+pub fn missing_cpu_feature() -> Option<&'static str> {
     use raw_cpuid::native_cpuid::cpuid_count;
 
     macro_rules! need {
@@ -33,7 +33,7 @@ pub(crate) fn missing_cpu_feature() -> Option<&'static str> {
 
 /// Other processors have one level.
 #[cfg(not(target_arch = "x86_64"))]
-pub(crate) fn missing_cpu_feature() -> Option<&'static str> {
+pub fn missing_cpu_feature() -> Option<&'static str> {
     None
 }
 

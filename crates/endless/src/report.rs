@@ -60,44 +60,50 @@ impl Reporter {
 impl Progress for Reporter {
     fn event(&self, event: &ProgressEvent<'_>) {
         match *event {
-            ProgressEvent::Start { videos: 0, .. } => {}
-            ProgressEvent::Start { videos, complete, estimate } => {
-                let done = if complete > 0 { format!(" ({complete} are complete)") } else { String::new() };
-                self.line(&format!(
-                    "{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
-                    estimate.camera_frames,
-                    human_bytes(estimate.bytes),
-                    human_bytes(estimate.free)
-                ));
-            }
-            ProgressEvent::LoadMap { map } => self.line(&format!("loading {map}")),
             ProgressEvent::Video { name, place, of, camera_frames } => {
                 self.frames.store(0, Ordering::Relaxed);
                 self.total.store(camera_frames, Ordering::Relaxed);
                 self.bar.reset();
                 self.bar.set_length(camera_frames);
                 self.bar.set_prefix(format!("{place}/{of} {name}"));
-                self.line(&format!("video {place} of {of}: {name}"));
             }
-            ProgressEvent::FewerSpawned { what, asked, placed, map } => {
-                self.line(&format!(
-                    "warning: {map} has room for {placed} {what}, {asked} were asked for: going on with {placed}"
-                ));
-            }
-            ProgressEvent::EventMissed { kind, map } => {
-                self.line(&format!(
-                    "warning: no {kind} could be had where the cameras look in {map}: going on without"
-                ));
-            }
-            ProgressEvent::Baked { seconds } => {
-                self.bar.reset_eta();
-                self.line(&format!("cameras baked in {seconds:.1} s"));
-            }
+            ProgressEvent::Baked { .. } => self.bar.reset_eta(),
             ProgressEvent::Frame { cameras, .. } => self.frame(cameras.into()),
-            ProgressEvent::VideoAgain { name, reason } => {
-                self.line(&format!("warning: {name} is begun again: {reason}"));
-            }
-            ProgressEvent::VideoDone { name } => self.line(&format!("complete: {name}")),
+            _ => {}
+        }
+        if let Some(line) = line_of(event) {
+            self.line(&line);
         }
     }
+}
+
+/// What is said of an event; nothing of single frames.
+pub fn line_of(event: &ProgressEvent<'_>) -> Option<String> {
+    Some(match *event {
+        ProgressEvent::Start { videos: 0, .. } | ProgressEvent::Frame { .. } => return None,
+        ProgressEvent::Start { videos, complete, estimate, shard } => {
+            let shard = shard.map(|shard| format!("shard {shard}: ")).unwrap_or_default();
+            let done = if complete > 0 { format!(" ({complete} are complete)") } else { String::new() };
+            format!(
+                "{shard}{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
+                estimate.camera_frames,
+                human_bytes(estimate.bytes),
+                human_bytes(estimate.free)
+            )
+        }
+        ProgressEvent::NoLocks => {
+            "warning: this file system knows no locks: see to it that no two processes make the same shard".to_owned()
+        }
+        ProgressEvent::LoadMap { map } => format!("loading {map}"),
+        ProgressEvent::Video { name, place, of, .. } => format!("video {place} of {of}: {name}"),
+        ProgressEvent::FewerSpawned { what, asked, placed, map } => {
+            format!("warning: {map} has room for {placed} {what}, {asked} were asked for: going on with {placed}")
+        }
+        ProgressEvent::EventMissed { kind, map } => {
+            format!("warning: no {kind} could be had where the cameras look in {map}: going on without")
+        }
+        ProgressEvent::Baked { seconds } => format!("cameras baked in {seconds:.1} s"),
+        ProgressEvent::VideoAgain { name, reason } => format!("warning: {name} is begun again: {reason}"),
+        ProgressEvent::VideoDone { name } => format!("complete: {name}"),
+    })
 }

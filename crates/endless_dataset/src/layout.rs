@@ -39,6 +39,16 @@ impl DatasetLayout {
         self.root.join(".lock")
     }
 
+    /// The lock of one part of several, `.lock-3-of-8`.
+    pub fn shard_lock(&self, number: u32, of: u32) -> PathBuf {
+        self.root.join(format!(".lock-{number}-of-{of}"))
+    }
+
+    /// The lock of whoever takes or leaves one of the other locks, for that moment.
+    pub fn lock_gate(&self) -> PathBuf {
+        self.root.join(".lock-gate")
+    }
+
     /// `scenes`.
     pub fn scenes(&self) -> PathBuf {
         self.root.join("scenes")

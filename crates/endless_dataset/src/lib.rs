@@ -33,6 +33,7 @@ mod durable;
 mod encoding;
 mod error;
 mod flow;
+mod frame_reader;
 mod instance_reader;
 mod json_lines;
 mod labels;
@@ -45,6 +46,7 @@ mod normals;
 mod object_fields;
 mod objects;
 mod pixel_events;
+mod planes;
 mod png_encoder;
 mod point_cloud;
 mod pose_line;
@@ -72,6 +74,7 @@ pub use encoding::{
     depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance, rgb_from_metres,
 };
 pub use error::DatasetError;
+pub use frame_reader::{CameraFrames, FrameReader, FrameSelection};
 pub use instance_reader::InstanceReader;
 pub use json_lines::{LinesWriter, read_lines};
 pub use labels::LabelSchema;
@@ -82,6 +85,7 @@ pub use mp4::{Mp4Info, Mp4Writer, read_mp4};
 pub use object_fields::FieldLabel;
 pub use objects::{ObjectsWriter, read_objects};
 pub use pixel_events::{decode_pixel_events, encode_pixel_events};
+pub use planes::{Plane, PlaneValues};
 pub use png_encoder::LastPng;
 pub use point_cloud::{
     PointLabel, bin_from_points, csv_from_detections, detections_from_csv, kitti_pose_line, label_from_points,

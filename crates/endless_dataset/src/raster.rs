@@ -50,14 +50,20 @@ pub(crate) fn decode_png(bytes: &[u8]) -> Result<StoredImage<'static>, String> {
         return Err(format!("{}x{} pixels: at most {LONGEST_SIDE} a side", info.width, info.height));
     }
     let size = ImageSize { width: info.width, height: info.height };
-    let pixel_bytes = if depth == png::BitDepth::Eight { 3 } else { 6 };
-    let mut bytes = vec![0u8; size.pixels() * pixel_bytes];
-    reader.next_frame(&mut bytes).map_err(|e| e.to_string())?;
-    // Reads the checksum of the data and the end mark, so that a cut file is noticed.
-    reader.finish().map_err(|e| e.to_string())?;
+    let mut decode = |bytes: &mut [u8]| {
+        reader.next_frame(bytes).map_err(|e| e.to_string())?;
+        // Reads the checksum of the data and the end mark, so that a cut file is noticed.
+        reader.finish().map_err(|e| e.to_string())
+    };
     Ok(match depth {
-        png::BitDepth::Eight => Image { size, data: bytes.as_chunks::<3>().0.to_vec() }.into(),
+        png::BitDepth::Eight => {
+            let mut image = Image::filled(size, [0u8; 3]);
+            decode(image.data.as_flattened_mut())?;
+            image.into()
+        }
         _ => {
+            let mut bytes = vec![0u8; size.pixels() * 6];
+            decode(&mut bytes)?;
             let value = |&[high, low]: &[u8; 2]| u16::from_be_bytes([high, low]);
             let pixel = |bytes: &[u8; 6]| std::array::from_fn(|c| value(&bytes.as_chunks::<2>().0[c]));
             Image { size, data: bytes.as_chunks::<6>().0.iter().map(pixel).collect::<Vec<[u16; 3]>>() }.into()

@@ -43,6 +43,14 @@ impl StoredImage<'_> {
         }
     }
 
+    /// The same, of its own pixels.
+    pub fn into_owned(self) -> StoredImage<'static> {
+        match self {
+            Self::Rgb8(image) => StoredImage::Rgb8(Cow::Owned(image.into_owned())),
+            Self::Rgb16(image) => StoredImage::Rgb16(Cow::Owned(image.into_owned())),
+        }
+    }
+
     /// Some rows as PNG has them, byte by byte: the high one of 16 bits first.
     pub(crate) fn rows(&self, rows: Range<usize>) -> Cow<'_, [u8]> {
         match self {

@@ -1,6 +1,6 @@
 //! Errors between a recipe and its dataset. Every message is one line that says what to do.
 
-use crate::{DiskEstimate, SimulatorError, StoreError};
+use crate::{DiskEstimate, Shard, SimulatorError, StoreError};
 use endless_annotate::AnnotateError;
 use endless_dataset::{BuildIdentity, DatasetError, OptionError};
 use endless_interchange::TrackFileError;
@@ -172,6 +172,26 @@ pub enum GenerateError {
     /// Somebody else writes there.
     #[error("another process is writing this dataset: wait for it, or give another folder: {}", path.display())]
     Locked {
+        /// The output.
+        path: PathBuf,
+    },
+    /// Somebody else makes the same shard.
+    #[error("another process is making shard {shard} of this dataset: wait for it, or make another: {}", path.display())]
+    ShardLocked {
+        /// The shard.
+        shard: Shard,
+        /// The output.
+        path: PathBuf,
+    },
+    /// Somebody else makes a shard of another number of shards.
+    #[error(
+        "another process is making one of {of} shards of this dataset, and these would share videos: wait for it, or make \
+         one of {of}, too: {}",
+        path.display()
+    )]
+    OtherShards {
+        /// How many shards there are of theirs.
+        of: u32,
         /// The output.
         path: PathBuf,
     },

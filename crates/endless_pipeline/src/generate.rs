@@ -4,15 +4,16 @@ mod begun_video;
 mod estimate;
 mod index;
 mod lock;
+mod lock_file;
 mod output;
 
 use crate::{
-    DatasetStore, FolderStore, GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Simulator,
-    SimulatorError, StageTimes,
+    DatasetStore, FolderStore, GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard,
+    Simulator, SimulatorError, StageTimes,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};
-use endless_world::{CameraSite, SceneSettings};
+use endless_world::SceneSettings;
 use index::DatasetIndex;
 use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
@@ -29,6 +30,8 @@ pub struct GenerateOptions {
     pub threads: usize,
     /// Write the scenes and stop.
     pub plan_only: bool,
+    /// The part of the videos to make; all of them without.
+    pub shard: Option<Shard>,
 }
 
 /// The result of a run.
@@ -96,24 +99,29 @@ fn generate_in<S: Simulator>(
     let start = Instant::now();
     let layout = DatasetLayout::new(root);
     let plan = Plan::new(recipe, simulator)?;
+    let part = plan.part(options.shard);
     let allow_other_build = options.allow_other_build;
     let claim = ResumeRequest { recipe, plan: &plan, build: &options.build, allow_other_build, store };
     // A folder is not touched before it is known that it may be. One of work is nobody else's, and is made anew.
     let of_work = store.videos_at_a_time().is_some();
-    let early_lock = of_work.then(|| DatasetLock::take(&layout)).transpose()?;
+    let early_lock = of_work.then(|| DatasetLock::take(&layout, options.shard)).transpose()?;
     store.open(&layout)?;
-    let output = OutputFolder::inspect(&layout, &claim)?;
-    let estimate = estimate::estimate(&layout, recipe, &output.remaining_scenes(&plan), store.videos_at_a_time())?;
+    let output = OutputFolder::inspect(&layout, &claim, &part)?;
+    let remaining_scenes = output.remaining_scenes(&plan, &part);
+    let estimate = estimate::estimate(&layout, recipe, &remaining_scenes, store.videos_at_a_time())?;
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
-    let _lock = early_lock.map_or_else(|| DatasetLock::take(&layout), Ok)?;
+    let lock = early_lock.map_or_else(|| DatasetLock::take(&layout, options.shard), Ok)?;
+    if !lock.holds() {
+        progress.event(&ProgressEvent::NoLocks);
+    }
     // Once more, now that nobody else can change it.
-    let output = OutputFolder::inspect(&layout, &claim)?;
-    let remaining_scenes = output.remaining_scenes(&plan);
-    let files = SharedFiles::alone();
+    let output = OutputFolder::inspect(&layout, &claim, &part)?;
+    let remaining_scenes = output.remaining_scenes(&plan, &part);
+    let files = shared_files(options.shard);
     for folder in [layout.root(), &layout.scenes()] {
-        files.remove_temporaries(folder, |_| false)?;
+        files.remove_temporaries(folder, |writer| !lock.holds() || is_of_same_shards(writer, options.shard))?;
     }
     output::write_plan(&layout, &plan, &files)?;
     store.put_scenes(&layout)?;
@@ -132,14 +140,18 @@ fn generate_in<S: Simulator>(
     if options.plan_only {
         return Ok(generated);
     }
-    let complete = recipe.videos - remaining_scenes.len() as u32;
-    progress.event(&ProgressEvent::Start { videos: remaining_scenes.len() as u32, complete, estimate });
+    let complete = (part.len() - remaining_scenes.len()) as u32;
+    progress.event(&ProgressEvent::Start {
+        videos: remaining_scenes.len() as u32,
+        complete,
+        estimate,
+        shard: options.shard,
+    });
     let clock = StageClock::default();
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
         let name = &same_map[0].map;
-        let mut cameras = Plan::cameras(recipe, simulator, name)?;
-        cameras.extend(fixed_of_rig(&plan, name));
+        let cameras = plan.all_cameras(recipe, simulator, name)?;
         let load = || {
             progress.event(&ProgressEvent::LoadMap { map: name });
             clock.time(Stage::LoadMap, || simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map }))
@@ -149,6 +161,9 @@ fn generate_in<S: Simulator>(
             let of = remaining_scenes.len() as u32;
             run.place += 1;
             let mut failures = 0;
+            if progress.is_stopped() {
+                return Err(SimulatorError::Interrupted.into());
+            }
             while let Err(failure) = run.video(&mut map, &load, settings, of, &mut index, &mut generated.sensors) {
                 failures += 1;
                 // What is loaded there may be lost with the connection.
@@ -173,11 +188,15 @@ fn generate_in<S: Simulator>(
     Ok(generated)
 }
 
-/// Sites of the cameras of a rig that stand still on a map: the same in all videos.
-fn fixed_of_rig(plan: &Plan, map: &str) -> Vec<CameraSite> {
-    let video = plan.scenes.iter().find(|scene| scene.map == map);
-    let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
-    sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)).collect()
+/// How the files are written that all shards write.
+fn shared_files(shard: Option<Shard>) -> SharedFiles {
+    shard.map_or_else(SharedFiles::alone, |shard| SharedFiles::of(format!("{}-of-{}", shard.number(), shard.of())))
+}
+
+/// Whether a writer of temporary files may be at work beside this shard: one of as many shards.
+fn is_of_same_shards(writer: &str, shard: Option<Shard>) -> bool {
+    let of = writer.split_once("-of-").map(|(_, of)| of);
+    shard.is_some_and(|shard| of == Some(shard.of().to_string().as_str()))
 }
 
 /// Frames of all cameras of a video, and measurements of the sensors of its rig.

@@ -54,9 +54,11 @@ mod progress;
 mod recipe;
 mod record;
 mod rig;
+mod shard;
 mod simulator;
 mod simulator_error;
 mod store;
+mod streaming;
 #[cfg(test)]
 mod test_catalog;
 mod text_position;
@@ -71,10 +73,15 @@ pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::{SensorTimes, StageTimes};
 pub use rig::read_rig;
+pub use shard::Shard;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneBodies, SceneTruth, SensorReading,
     SimulationSession, SimulationStep, Simulator, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;
 pub use store::{DatasetStore, FolderStore, StoreError, StoredFiles};
+pub use streaming::{
+    Measurement, StreamEnd, StreamOptions, StreamOrder, StreamedCamera, StreamedFrame, StreamedSensor, StreamedVideo,
+    stream,
+};
 pub use user_camera::{cameras_from_text, read_cameras};

@@ -3,21 +3,24 @@
 mod balanced;
 mod changing;
 mod combination;
+mod cost;
 mod moved_camera;
 mod overlapping;
+mod partition;
 mod subsets;
 
 use crate::{
-    MapCatalog, PlanError, SimulatorError,
+    MapCatalog, PlanError, Shard, SimulatorError,
     rig::{RigPlaces, scene_sensors},
 };
 use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
-use endless_dataset::Recipe;
+use endless_dataset::{DatasetError, DatasetLayout, Manifest, Recipe, read_json};
 use endless_world::{
     CameraLook, CameraSite, IncidentKind, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation,
     SceneSettings, Stream, TrackPlayback, TrafficProfile,
 };
+use partition::Costs;
 
 /// The settings of every video, by number.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,6 +79,24 @@ impl Plan {
         recipe.cameras.get(map).map_or_else(|| catalog.cameras(map), |own| Ok(own.clone()))
     }
 
+    /// All cameras that stand still in any video of a map: those with which a recipe may film it, and those of the rig.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made.
+    pub fn all_cameras(
+        &self,
+        recipe: &Recipe,
+        catalog: &(impl MapCatalog + ?Sized),
+        map: &str,
+    ) -> Result<Vec<CameraSite>, SimulatorError> {
+        let mut cameras = Self::cameras(recipe, catalog, map)?;
+        // The rig's are the same in all videos.
+        let video = self.scenes.iter().find(|scene| scene.map == map);
+        let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
+        cameras.extend(sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)));
+        Ok(cameras)
+    }
+
     /// Numbers of the videos in the order of work: by map, so that each is loaded once, and by cameras, so that what bakes
     /// of the same camera share is needed soon again.
     pub fn work_order(&self) -> Vec<u32> {
@@ -83,6 +104,37 @@ impl Plan {
         let cameras = |s: &SceneSettings| s.cameras.iter().map(|c| c.site.name.clone()).collect::<Vec<_>>();
         order.sort_by_cached_key(|s| (self.maps.iter().position(|m| *m == s.map), cameras(s)));
         order.into_iter().map(|s| s.video).collect()
+    }
+
+    /// The work order in so many contiguous parts, one a [`Shard`]. The largest cost of a part is as small as can be, and as few
+    /// maps are divided as that allows. Parts are empty where there are more than videos, and where they would save no time.
+    ///
+    /// It is decided by the plan alone, so processes that know nothing of one another agree.
+    pub fn shards(&self, of: u32) -> Vec<Vec<u32>> {
+        let order = self.work_order();
+        let map = |video: &u32| &self.scenes[*video as usize].map;
+        let costs = |videos: &[u32]| videos.iter().map(|video| cost::cost(&self.scenes[*video as usize])).collect();
+        let groups: Vec<Vec<u64>> = order.chunk_by(|a, b| map(a) == map(b)).map(costs).collect();
+        let parts = Costs::new(&groups, cost::MAP_PIXELS).cut(of.clamp(1, Shard::MAX) as usize);
+        parts.into_iter().map(|part| order[part].to_vec()).collect()
+    }
+
+    /// The videos of one part, or of all, in the order of work.
+    pub fn part(&self, shard: Option<Shard>) -> Vec<u32> {
+        match shard {
+            Some(shard) => self.shards(shard.of()).swap_remove(shard.number() as usize - 1),
+            None => self.work_order(),
+        }
+    }
+
+    /// The plan of a dataset that is there.
+    ///
+    /// # Errors
+    /// When its `dataset.json` or a scene of it cannot be read.
+    pub fn read(layout: &DatasetLayout) -> Result<Self, DatasetError> {
+        let recipe = Manifest::read(&layout.manifest())?.recipe;
+        let scenes = (0..recipe.videos).map(|video| read_json(&layout.scene(video))).collect::<Result<_, _>>()?;
+        Ok(Self { scenes, maps: recipe.maps })
     }
 }
 
@@ -293,6 +345,23 @@ mod tests {
             prop_assert!(maps.len() <= 3);
             order.sort_unstable();
             prop_assert_eq!(order, (0..n).collect::<Vec<_>>());
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn every_video_is_in_one_shard_in_the_order_of_work(n in 1u32..300, of in 1u32..40, seed: u64, balance: bool) {
+            let recipe = Recipe { balance, ..recipe(n, 2, seed, [3, 3, 2]) };
+            let plan = Plan::new(&recipe, &ThreeTowns).expect("plannable");
+            let shards = plan.shards(of);
+            prop_assert_eq!(shards.len(), of as usize);
+            prop_assert_eq!(shards.concat(), plan.work_order());
+            for shard in Shard::all(of) {
+                prop_assert_eq!(&plan.part(Some(shard)), &shards[shard.number() as usize - 1]);
+            }
+            prop_assert_eq!(plan.part(None), plan.work_order());
         }
     }
 

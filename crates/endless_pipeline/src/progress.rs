@@ -1,6 +1,6 @@
 //! Progress events of a run.
 
-use crate::DiskEstimate;
+use crate::{DiskEstimate, Shard};
 use endless_world::IncidentKind;
 
 /// An event of a run.
@@ -14,7 +14,11 @@ pub enum ProgressEvent<'a> {
         complete: u32,
         /// Frames to make, and disk space.
         estimate: DiskEstimate,
+        /// The part that these numbers are of; none of all.
+        shard: Option<Shard>,
     },
+    /// The file system knows no locks: nothing keeps out a process that makes the same shard.
+    NoLocks,
     /// A map is being loaded.
     LoadMap {
         /// Which.
@@ -75,10 +79,15 @@ pub enum ProgressEvent<'a> {
     },
 }
 
-/// Receives progress events, from several threads.
+/// Watches a run: receives progress events, from several threads, and may end it.
 pub trait Progress: Sync {
     /// Receives an event.
     fn event(&self, event: &ProgressEvent<'_>);
+
+    /// Whether the run shall end. It is asked before each frame, so that what is complete stays and the same call goes on.
+    fn is_stopped(&self) -> bool {
+        false
+    }
 }
 
 /// Ignores all events.

@@ -6,9 +6,11 @@
 //! scheduler keeps the workers within a window of frames, so memory is the same after ten seconds and after an hour.
 
 mod camera_sink;
+mod capture;
 mod event_sink;
 mod files;
 mod frame;
+mod labels;
 mod layers;
 mod line_sinks;
 mod recording;
@@ -20,13 +22,20 @@ mod streams;
 mod times;
 mod vehicle_sensors;
 mod video;
+mod workers;
 
 pub use sensor_times::SensorTimes;
 pub use times::StageTimes;
 pub(crate) use {
+    capture::{CapturedFrame, SensorPlace, StreamReading, StreamReadings, capture, lens_at, measure},
+    labels::labels,
+    layers::as_stored,
+    line_sinks::{GnssTrack, ImuTrack},
     recording::Recording,
     stored::{count_files, stream_is_complete},
     streams::{CameraStream, Stream, StreamModel, sensor_seed},
     times::{Stage, StageClock},
-    video::record_video,
+    vehicle_sensors::Noticed,
+    video::{camera_record, record_video, report_fewer, wanted_layers},
+    workers::{FrameOutput, Observed, Observers, run_workers},
 };

@@ -45,7 +45,8 @@ pub(super) fn film_for<S: Simulator + MapSource>(
     let folder = std::env::current_dir()?;
     remove_leftovers(&folder)?;
     let out = folder.join(format!("{FOLDER}{}", std::process::id()));
-    let options = GenerateOptions { build: this_build(), allow_other_build: false, threads, plan_only: false };
+    let options =
+        GenerateOptions { build: this_build(), allow_other_build: false, threads, plan_only: false, shard: None };
     let made = generate(simulator, &recipe, &out, &options, &SilentProgress);
     let used = if made.is_ok() { with(&out) } else { Ok(()) };
     if out.exists() {

@@ -10,6 +10,7 @@ mod imported_maps;
 mod program;
 mod real_city;
 mod scaling;
+mod shards;
 mod simulate;
 mod statistics;
 mod threads;

@@ -49,6 +49,7 @@ fn make(simulator: &CarlaSimulator, out: &Path) -> Result<(), GenerateError> {
         allow_other_build: false,
         threads: 2,
         plan_only: false,
+        shard: None,
     };
     generate(simulator, &recipe(simulator), out, &options, &SilentProgress).map(drop)
 }

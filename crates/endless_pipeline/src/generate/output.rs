@@ -32,8 +32,12 @@ pub(super) struct OutputFolder {
 }
 
 impl OutputFolder {
-    /// Inspects the folder without changing anything.
-    pub(super) fn inspect(layout: &DatasetLayout, claim: &ResumeRequest<'_>) -> Result<Self, GenerateError> {
+    /// Inspects the folder without changing anything: every video for who made it, those of a part for being complete.
+    pub(super) fn inspect(
+        layout: &DatasetLayout,
+        claim: &ResumeRequest<'_>,
+        part: &[u32],
+    ) -> Result<Self, GenerateError> {
         let root = layout.root();
         if let Some(file) = root.ancestors().find(|p| p.is_file()) {
             return Err(GenerateError::OutputIsFile { path: file.to_owned() });
@@ -55,6 +59,7 @@ impl OutputFolder {
             refuse_unproven_videos(layout, claim)?;
         }
         let mut output = Self::default();
+        let part: BTreeSet<u32> = part.iter().copied().collect();
         for settings in &claim.plan.scenes {
             let video = layout.video(settings);
             let Some(begun) = BegunVideo::look(&video, settings)? else { continue };
@@ -62,17 +67,17 @@ impl OutputFolder {
                 return Err(GenerateError::UnknownBuild { path: video.folder().to_owned() });
             }
             refuse_other_build(layout, &begun.builds, claim)?;
-            if begun.boxes.is_some() && is_whole(&video, claim, settings)? {
+            if part.contains(&settings.video) && begun.boxes.is_some() && is_whole(&video, claim, settings)? {
                 output.complete.insert(settings.video);
             }
         }
         Ok(output)
     }
 
-    /// Scenes of the videos that are not complete, in the order of work.
-    pub(super) fn remaining_scenes<'p>(&self, plan: &'p Plan) -> Vec<&'p SceneSettings> {
-        let missing = plan.work_order().into_iter().filter(|video| !self.complete.contains(video));
-        missing.map(|video| &plan.scenes[video as usize]).collect()
+    /// Scenes of the videos of a part that are not complete, in its order.
+    pub(super) fn remaining_scenes<'p>(&self, plan: &'p Plan, part: &[u32]) -> Vec<&'p SceneSettings> {
+        let missing = part.iter().filter(|video| !self.complete.contains(video));
+        missing.map(|video| &plan.scenes[*video as usize]).collect()
     }
 }
 

@@ -50,6 +50,24 @@ impl StoredLayers {
     }
 }
 
+/// All layers of a camera's frame as whoever reads its files finds them.
+pub(crate) fn as_stored(
+    output: &CameraOutput,
+    frame: &SensorFrame,
+) -> Result<Vec<(Layer, StoredImage<'static>)>, String> {
+    let image = |layer: Layer| {
+        let made = (layer.entry().encode)(frame).ok_or_else(|| format!("the simulator gives no {layer}"))?;
+        let format = layer.format(output.rgb_format).entry();
+        let stored = if format.exact {
+            made.into_owned()
+        } else {
+            (format.decode)(&(format.encode)(&made, &LastPng::default())?)?
+        };
+        Ok((layer, stored))
+    };
+    output.layers.iter().map(|layer| image(*layer)).collect()
+}
+
 /// Writes all layers of a camera's frame; `last` is what was written last of each.
 pub(super) fn write<'f>(
     files: &CameraLayout,

@@ -3,7 +3,7 @@
 use super::{
     camera_sink::CameraSink,
     event_sink::EventSink,
-    line_sinks::{GnssSink, ImuSink},
+    line_sinks::{GnssSink, GnssTrack, ImuSink, ImuTrack},
     recording::Recording,
     streams::{Stream, StreamModel},
     times::{Stage, StageClock},
@@ -68,10 +68,11 @@ impl StreamSink {
             (StreamModel::Events { settings, size }, _) => ModelSink::Events(EventSink::new(stream, settings, *size)),
             (StreamModel::Imu(settings), Some(path)) => {
                 let period_s = f64::from(stream.every) / recording.settings.fps;
-                ModelSink::Imu(Box::new(ImuSink::create(path, settings, period_s, stream.seed)?))
+                let track = ImuTrack::new(settings, period_s, stream.seed);
+                ModelSink::Imu(Box::new(ImuSink::create(path, track)?))
             }
             (StreamModel::Gnss(settings), Some(path)) => {
-                ModelSink::Gnss(GnssSink::create(path, settings, georeference, stream.seed)?)
+                ModelSink::Gnss(GnssSink::create(path, GnssTrack::new(settings, georeference, stream.seed))?)
             }
             (StreamModel::Collision, Some(path)) => ModelSink::Collisions(LinesWriter::create(path)?),
             (StreamModel::LaneInvasion, Some(path)) => ModelSink::LaneInvasions(LinesWriter::create(path)?),

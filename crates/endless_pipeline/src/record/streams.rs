@@ -119,10 +119,14 @@ impl<'a> Stream<'a> {
         streams
     }
 
+    /// The name of its folder.
+    pub(crate) fn name(&self) -> String {
+        self.files.folder().file_name().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
     /// Adds what it took to what sensors of its name took before.
     pub(crate) fn add_times(&self, sensors: &mut Vec<SensorTimes>) {
-        let name = self.files.folder().file_name().unwrap_or_default().to_string_lossy();
-        self.clock.add_to(&name, sensors);
+        self.clock.add_to(&self.name(), sensors);
     }
 
     /// Whether it measures at a frame.
@@ -131,7 +135,7 @@ impl<'a> Stream<'a> {
     }
 
     /// The frames at which it measures.
-    pub(crate) fn frames(&self) -> impl ExactSizeIterator<Item = u32> + Clone + use<> {
+    pub(crate) fn frames(&self) -> impl ExactSizeIterator<Item = u32> + DoubleEndedIterator + Clone + use<> {
         (0..self.frames).step_by(self.every.max(1) as usize)
     }
 

@@ -17,7 +17,7 @@ enum VehicleSensor {
 
 /// What such a sensor noticed at a frame.
 #[derive(Debug, Clone)]
-pub(super) enum Noticed {
+pub(crate) enum Noticed {
     Collisions(Vec<CollisionEvent>),
     LaneInvasion(Option<LaneInvasionEvent>),
 }

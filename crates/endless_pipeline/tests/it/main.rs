@@ -23,3 +23,4 @@ mod record;
 mod rig;
 mod seen;
 mod sensor_geometry;
+mod streaming;

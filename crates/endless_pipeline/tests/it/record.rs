@@ -2,8 +2,13 @@
 
 use crate::fake::{Fake, assert_same, contents, draft, first_video, make, options, recipe};
 use endless_dataset::{Layer, RecipeDraft, check};
-use endless_pipeline::{GenerateError, GenerateOptions, SilentProgress, generate};
-use std::{fs, sync::atomic::Ordering};
+use endless_pipeline::{
+    GenerateError, GenerateOptions, Progress, ProgressEvent, SilentProgress, SimulatorError, generate,
+};
+use std::{
+    fs,
+    sync::atomic::{AtomicU32, Ordering},
+};
 
 fn all_layers() -> RecipeDraft {
     let all: Vec<String> = Layer::ALL.iter().map(ToString::to_string).collect();
@@ -251,4 +256,37 @@ fn check_names_what_is_wrong() {
     fs::write(camera.layer(Layer::Rgb).join("000099.png"), "extra").expect("writable");
     assert_eq!(problems().len(), 1);
     assert!(problems()[0].ends_with("000099.png: does not belong here"));
+}
+
+/// Ends a run after so many frames.
+struct StopAfter {
+    frames: u32,
+    seen: AtomicU32,
+}
+
+impl Progress for StopAfter {
+    fn event(&self, event: &ProgressEvent<'_>) {
+        if matches!(event, ProgressEvent::Frame { .. }) {
+            self.seen.fetch_add(1, Ordering::SeqCst);
+        }
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.seen.load(Ordering::SeqCst) >= self.frames
+    }
+}
+
+#[test]
+fn a_run_that_is_stopped_goes_on_to_the_same_bytes() {
+    let (stopped, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
+    let recipe = recipe(draft());
+    for frames in [0, 7, 15] {
+        let stop = StopAfter { frames, seen: AtomicU32::new(0) };
+        let error = generate(&Fake::default(), &recipe, stopped.path(), &options(2), &stop).expect_err("stopped");
+        assert!(matches!(error, GenerateError::Simulator(SimulatorError::Interrupted)), "{error}");
+        assert!(stop.seen.into_inner() < frames + 3, "only what was under way is finished");
+    }
+    make(&Fake::default(), &recipe, stopped.path(), 2);
+    make(&Fake::default(), &recipe, whole.path(), 2);
+    assert_same(stopped.path(), whole.path());
 }

@@ -26,7 +26,7 @@ fn rig(sensors: serde_json::Value) -> Vec<SensorSpec> {
     serde_json::from_value(sensors).expect("a rig")
 }
 
-fn draft(sensors: serde_json::Value) -> RecipeDraft {
+pub(crate) fn draft(sensors: serde_json::Value) -> RecipeDraft {
     let words = |words: &[&str]| Some(words.iter().map(|&word| word.to_owned()).collect());
     RecipeDraft {
         videos: Some(1),
@@ -57,7 +57,7 @@ fn video(out: &Path, made: &Generated) -> VideoLayout {
 }
 
 /// One of every type, in every way of being carried.
-fn everything() -> serde_json::Value {
+pub(crate) fn everything() -> serde_json::Value {
     let car = |at: [f64; 3]| json!({"on": "vehicle", "class": "car", "at": at});
     json!([
         {"name": "front", "type": "camera", "mount": car([0.4, 0.0, 1.45]), "rate": 10, "fov": 80.0},

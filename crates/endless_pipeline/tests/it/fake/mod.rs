@@ -273,7 +273,7 @@ pub(crate) fn make<S: Simulator>(fake: &S, recipe: &Recipe, out: &Path, threads:
 
 /// How the tests' one build runs.
 pub(crate) fn options(threads: usize) -> GenerateOptions {
-    GenerateOptions { build: build("fake"), allow_other_build: false, threads, plan_only: false }
+    GenerateOptions { build: build("fake"), allow_other_build: false, threads, plan_only: false, shard: None }
 }
 
 /// A build of these sources.

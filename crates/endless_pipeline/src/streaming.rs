@@ -1,0 +1,117 @@
+//! Frames handed over in order while they are made, instead of written.
+//!
+//! ```text
+//! generate   plan ─► videos ─► workers ─► files
+//! stream     plan ─► videos ─► workers ─► one call after the other, in the order of frames
+//! ```
+//! Both run the same simulation, rendering and labels: what is handed over equals what would be read from the files, to
+//! the byte. Memory is bounded: while the receiver is busy, the workers make a few frames more and then wait.
+
+mod frame;
+mod handover;
+mod video;
+
+pub use frame::{Measurement, StreamedCamera, StreamedFrame, StreamedSensor, StreamedVideo};
+
+use crate::{GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator, record::StageClock};
+use endless_dataset::Recipe;
+use endless_world::SceneSettings;
+use std::ops::ControlFlow;
+use video::{VideoStream, stream_video};
+
+/// In which order videos are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StreamOrder {
+    /// Those of a map one after the other, as [`Plan::work_order`] has them: each map is loaded once.
+    #[default]
+    ByMap,
+    /// By their numbers: maps come as they are drawn, and are loaded again and again.
+    ByNumber,
+}
+
+/// Settings of a stream that are not part of the recipe.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct StreamOptions {
+    /// Number of threads.
+    pub threads: usize,
+    /// In which order videos are made.
+    pub order: StreamOrder,
+    /// The first frame that is handed over, counted over all videos in this order. Videos before it are not made.
+    pub first_frame: u64,
+}
+
+/// Whether a stream came to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StreamEnd {
+    /// All frames were handed over.
+    Complete,
+    /// Whoever took them wanted no more.
+    Stopped,
+}
+
+/// Makes the frames of a recipe and hands them over, one at a time and in order, on threads of its own. It waits for
+/// `take` to come back, and ends when that breaks.
+///
+/// # Errors
+/// When a plan cannot be made of the recipe, or the simulator fails.
+pub fn stream<S: Simulator>(
+    simulator: &S,
+    recipe: &Recipe,
+    options: &StreamOptions,
+    progress: &dyn Progress,
+    take: &mut (dyn FnMut(StreamedFrame) -> ControlFlow<()> + Send),
+) -> Result<StreamEnd, GenerateError> {
+    let waiting = usize::from(simulator.capabilities().waits);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1) + waiting).build()?;
+    pool.install(|| stream_in(&pool, simulator, recipe, options, progress, take))
+}
+
+/// [`stream`] on the threads of a pool.
+fn stream_in<S: Simulator>(
+    pool: &rayon::ThreadPool,
+    simulator: &S,
+    recipe: &Recipe,
+    options: &StreamOptions,
+    progress: &dyn Progress,
+    take: &mut (dyn FnMut(StreamedFrame) -> ControlFlow<()> + Send),
+) -> Result<StreamEnd, GenerateError> {
+    let plan = Plan::new(recipe, simulator)?;
+    let order = match options.order {
+        StreamOrder::ByMap => plan.work_order(),
+        StreamOrder::ByNumber => (0..recipe.videos).collect(),
+    };
+    let (skipped, first) = skip(&plan, &order, options.first_frame);
+    let scenes: Vec<&SceneSettings> = order[skipped..].iter().map(|video| &plan.scenes[*video as usize]).collect();
+    let mut index = options.first_frame;
+    let (mut first, mut place) = (first, 0);
+    for same_map in scenes.chunk_by(|a, b| a.map == b.map) {
+        let name = &same_map[0].map;
+        let cameras = plan.all_cameras(recipe, simulator, name)?;
+        progress.event(&ProgressEvent::LoadMap { map: name });
+        let map = simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map })?;
+        for &settings in same_map {
+            place += 1;
+            let clock = StageClock::default();
+            let video = VideoStream { pool, recipe, settings, progress, clock: &clock, place, of: scenes.len() as u32 };
+            let from = std::mem::take(&mut first);
+            if stream_video(simulator, &map, &video, from, index, take)? == StreamEnd::Stopped {
+                return Ok(StreamEnd::Stopped);
+            }
+            index += u64::from(settings.frames - from);
+        }
+    }
+    Ok(StreamEnd::Complete)
+}
+
+/// How many videos end before a frame, and the number of that frame in the next one.
+fn skip(plan: &Plan, order: &[u32], first_frame: u64) -> (usize, u32) {
+    let mut left = first_frame;
+    for (skipped, video) in order.iter().enumerate() {
+        let frames = u64::from(plan.scenes[*video as usize].frames);
+        if left < frames {
+            return (skipped, left as u32);
+        }
+        left -= frames;
+    }
+    (order.len(), 0)
+}

@@ -1,0 +1,1 @@
+"""Endless annotated urban datasets."""
