@@ -25,6 +25,7 @@ mod serve;
 mod simulate;
 mod simulate_options;
 mod statistics;
+mod storage;
 mod threads;
 mod view;
 
@@ -33,6 +34,7 @@ use clap::Parser;
 use endless_export::ExportError;
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError, SimulatorError};
+use endless_storage::AddressError;
 use exit::{FAILURE, INTERRUPTED, USAGE};
 use std::{
     env,
@@ -122,6 +124,7 @@ fn exit_code(error: &anyhow::Error) -> u8 {
 fn cannot_be_asked(error: &anyhow::Error) -> bool {
     let plan = error.downcast_ref::<GenerateError>();
     error.is::<RecipeError>()
+        || error.is::<AddressError>()
         || matches!(error.downcast_ref(), Some(ExportError::Split(_) | ExportError::Classes { .. }))
         || matches!(
             plan,

@@ -8,8 +8,8 @@ mod lock_file;
 mod output;
 
 use crate::{
-    DatasetStore, FolderStore, GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard,
-    Simulator, SimulatorError, StageTimes,
+    DatasetStore, FolderStore, GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard, Simulator,
+    SimulatorError, StageTimes,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};

@@ -73,6 +73,17 @@ pub enum AddressError {
         "the address has a character or a part that names of objects cannot have: use letters, digits, '-', '_', '.' and '/'"
     )]
     BadName,
+    /// The program was built without.
+    #[error(
+        "this build of endless has no object storage: build it with `--features cloud`, or use the Python package, which has it \
+         (docs/storage.md)"
+    )]
+    NotBuilt,
+    /// A command that works on this machine alone.
+    #[error(
+        "this command reads folders alone: copy the dataset to one, for example with `aws s3 sync` (docs/storage.md)"
+    )]
+    NotAFolder,
     /// Not an absolute path.
     #[error("an address of a folder has three slashes: file:///absolute/path")]
     RelativeFile,
