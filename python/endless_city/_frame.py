@@ -78,6 +78,13 @@ class CameraFrame:
     def __repr__(self) -> str:
         return f"<CameraFrame {self._video}/{self._camera.name} {self._frame}: {', '.join(self._layers)}>"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # All of it travels: the files need not be where it arrives.
+        self.load()
+        pose = self._source.pose() if self._camera.world_from_camera is None else None
+        source = Loaded(self._arrays, self.objects, pose)
+        return _restored, (source, self._video, self._camera, self._frame, self._time_s, self._layers)
+
     @property
     def video(self) -> str:
         """Name of the video."""
@@ -264,3 +271,9 @@ class Loaded:
     def pose(self) -> Optional[list[list[float]]]:
         """Where a camera that moves is."""
         return self._pose
+
+
+def _restored(
+    source: Loaded, video: str, camera: Camera, frame: int, time_s: float, layers: tuple[str, ...]
+) -> CameraFrame:
+    return CameraFrame(source, video=video, camera=camera, frame=frame, time_s=time_s, layers=layers)
