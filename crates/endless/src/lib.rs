@@ -8,6 +8,7 @@ mod assets;
 mod bench;
 mod build_info;
 mod check;
+mod cluster;
 mod cpu;
 mod exit;
 mod export;
@@ -16,6 +17,7 @@ mod generate;
 mod log;
 mod maps;
 mod memory;
+mod plan;
 mod progress_bar;
 mod recipe_args;
 mod report;
@@ -25,6 +27,7 @@ mod serve;
 mod simulate;
 mod simulate_options;
 mod statistics;
+mod storage;
 mod threads;
 mod view;
 
@@ -33,6 +36,7 @@ use clap::Parser;
 use endless_export::ExportError;
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError, SimulatorError};
+use endless_storage::AddressError;
 use exit::{FAILURE, INTERRUPTED, USAGE};
 use std::{
     env,
@@ -79,6 +83,8 @@ pub fn run_program(args: Vec<OsString>) -> ExitCode {
     let threads = threads::threads(cli.threads);
     let result = match cli.command {
         Command::Generate(args) => generate::run(library, *args, threads),
+        Command::Plan(args) => plan::run(library, *args, threads),
+        Command::Cluster(args) => cluster::run(&args),
         Command::Check(args) => check::run(&args, threads),
         Command::Export(args) => on_threads(threads, || export::run(&args)),
         Command::Stats(args) => on_threads(threads, || statistics::stats(&args)),
@@ -122,6 +128,7 @@ fn exit_code(error: &anyhow::Error) -> u8 {
 fn cannot_be_asked(error: &anyhow::Error) -> bool {
     let plan = error.downcast_ref::<GenerateError>();
     error.is::<RecipeError>()
+        || error.is::<AddressError>()
         || matches!(error.downcast_ref(), Some(ExportError::Split(_) | ExportError::Classes { .. }))
         || matches!(
             plan,
