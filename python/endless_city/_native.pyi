@@ -5,6 +5,23 @@ from typing import Any, Optional, Union, final
 import numpy as np
 from numpy.typing import NDArray
 
+__all__ = [
+    "DatasetReader",
+    "FrameStream",
+    "asset_preview",
+    "assets",
+    "classes",
+    "encode_png",
+    "generate",
+    "map_preview",
+    "maps",
+    "options",
+    "render",
+    "run_command",
+    "tags",
+    "version",
+]
+
 _Path = Union[str, bytes, PathLike[str], PathLike[bytes]]
 
 def run_command(argv: Sequence[_Path]) -> int: ...
