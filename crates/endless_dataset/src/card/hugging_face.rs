@@ -13,7 +13,7 @@ pub(super) const MARK: &str = "# Written by endless. Without this line it stays 
 /// Its text.
 pub(super) fn readme(manifest: &Manifest, facts: &CardFacts) -> String {
     let (front, body) = (front_matter(manifest, facts), body(manifest, facts));
-    format!("---\n{}\n{front}---\n\n{body}", MARK)
+    format!("---\n{MARK}\n{front}---\n\n{body}")
 }
 
 fn front_matter(manifest: &Manifest, facts: &CardFacts) -> String {

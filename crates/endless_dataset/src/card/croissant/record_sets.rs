@@ -21,7 +21,13 @@ const FRAME: &str = "^videos/[^/]+/[^/]+/[^/]+/0*([0-9]+)[.]";
 
 fn videos() -> Value {
     let of_scene = |name: &str, kind: &str, description: &str| {
-        field("videos", name, kind, description, source("scene_files", &json!({"jsonPath": format!("$.{name}")}), None))
+        field(
+            "videos",
+            name,
+            kind,
+            description,
+            &source("scene_files", &json!({"jsonPath": format!("$.{name}")}), None),
+        )
     };
     json!({
         "@type": "cr:RecordSet", "@id": "videos", "name": "videos",
@@ -43,15 +49,15 @@ fn frames() -> Value {
         source(OBJECTS, &json!({"column": column}), path.map(|path| json!({"jsonPath": path})))
     };
     let of_object = |name: &str, kind: &str, description: &str| {
-        field("frames/objects", name, kind, description, column("objects", Some(name)))
+        field("frames/objects", name, kind, description, &column("objects", Some(name)))
     };
     let mut bbox = of_object("bbox", "sc:Float", "[x, y, width, height], pixels from the top-left corner");
     bbox["isArray"] = json!(true);
     bbox["arrayShape"] = json!("4");
     let mut fields = place("frames", OBJECTS);
     fields.extend([
-        field("frames", "frame", "sc:Integer", "Its number, from 0", column("frame", None)),
-        field("frames", "time_s", "sc:Float", "Seconds since frame 0", column("time_s", None)),
+        field("frames", "frame", "sc:Integer", "Its number, from 0", &column("frame", None)),
+        field("frames", "time_s", "sc:Float", "Seconds since frame 0", &column("time_s", None)),
         json!({
             "@type": "cr:Field", "@id": "frames/objects", "name": "objects", "isArray": true, "arrayShape": "-1",
             "description": "The annotated objects; files have more of each, as dataset.json tells",
@@ -70,13 +76,13 @@ fn image_records(files: &ImageFiles) -> Value {
     let (name, set) = (files.layer.name(), files_id(files));
     let mut fields = place(name, &set);
     fields.extend([
-        field(name, "frame", "sc:Integer", "Its number, from 0", path_source(&set, FRAME)),
+        field(name, "frame", "sc:Integer", "Its number, from 0", &path_source(&set, FRAME)),
         field(
             name,
             "image",
             "sc:ImageObject",
             files.layer.entry().summary,
-            source(&set, &json!({"fileProperty": "content"}), None),
+            &source(&set, &json!({"fileProperty": "content"}), None),
         ),
     ]);
     records(name, &format!("The layer {name} of a frame of a camera"), &fields)
@@ -92,12 +98,12 @@ fn records(name: &str, description: &str, fields: &[Value]) -> Value {
 /// Where a record is from.
 fn place(records: &str, set: &str) -> Vec<Value> {
     vec![
-        field(records, "video", "sc:Text", "The folder of its video", path_source(set, VIDEO)),
-        field(records, "camera", "sc:Text", "The folder of its camera", path_source(set, CAMERA)),
+        field(records, "video", "sc:Text", "The folder of its video", &path_source(set, VIDEO)),
+        field(records, "camera", "sc:Text", "The folder of its camera", &path_source(set, CAMERA)),
     ]
 }
 
-fn field(parent: &str, name: &str, kind: &str, description: &str, source: Value) -> Value {
+fn field(parent: &str, name: &str, kind: &str, description: &str, source: &Value) -> Value {
     json!({
         "@type": "cr:Field", "@id": format!("{parent}/{name}"), "name": name, "description": description, "dataType": kind,
         "source": source,
