@@ -151,9 +151,9 @@ pub(crate) struct PlanArgs {
     /// Videos to try, each in other conditions than those before it.
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub(crate) samples: u32,
-    /// Frames to record of each.
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    pub(crate) frames: u32,
+    /// Frames to record of each [default: 8, and 4 more a thread].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) frames: Option<u32>,
 }
 
 #[derive(Debug, Args)]

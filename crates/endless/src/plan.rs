@@ -98,15 +98,23 @@ impl WithSimulator for Estimate<'_> {
 
 impl Estimate<'_> {
     fn measure<S: Simulator>(&self, simulator: &S, recipe: &Recipe, plan: &Plan) -> Result<Rates> {
+        if let Some(load) = load().filter(|load| *load > 0.25 * self.threads as f64) {
+            eprintln!("warning: this machine is busy (load {load:.1}): it will seem slower than it is");
+        }
         let options = RateOptions {
             videos: self.args.samples as usize,
-            frames: self.args.frames,
+            frames: self.args.frames.unwrap_or(8 + 4 * self.threads as u32),
             threads: self.threads,
             folder: std::env::current_dir().context("there is no current folder")?,
             build: this_build(),
         };
         Ok(measure_rates(simulator, recipe, plan, &options, self.progress)?)
     }
+}
+
+/// How many processes want to work, in the last minute; where the system tells.
+fn load() -> Option<f64> {
+    std::fs::read_to_string("/proc/loadavg").ok()?.split_whitespace().next()?.parse().ok()
 }
 
 fn json<T: Serialize>(value: &T) -> Result<Vec<u8>> {
@@ -119,13 +127,13 @@ fn print(estimated: &Estimated) -> Result<()> {
     let Estimated { forecast, rates } = estimated;
     let mut out = std::io::stdout().lock();
     writeln!(out, "measured on {} threads: seconds, and bytes a camera frame", rates.threads)?;
-    writeln!(out, "  load map  scene   bake   frame      bytes  of")?;
+    writeln!(out, "  load map  scene   bake  first   frame      bytes  of")?;
     for sample in &rates.samples {
-        let RateSample { load_map_s, load_scene_s, bake_s, frame_s, frame_bytes, .. } = sample;
+        let RateSample { load_map_s, load_scene_s, bake_s, first_s, frame_s, frame_bytes, .. } = sample;
         let of = format!("{} {} {}, {} frames", sample.map, sample.weather, sample.time_of_day, sample.frames);
         writeln!(
             out,
-            "  {load_map_s:>8.2} {load_scene_s:>6.2} {bake_s:>6.2} {frame_s:>7.3} {:>10}  {of}",
+            "  {load_map_s:>8.2} {load_scene_s:>6.2} {bake_s:>6.2} {first_s:>6.2} {frame_s:>7.3} {:>10}  {of}",
             human_bytes(*frame_bytes as u64)
         )?;
     }

@@ -2,6 +2,7 @@
 
 mod choice;
 mod forecast;
+mod frame_times;
 mod measure;
 mod sample;
 

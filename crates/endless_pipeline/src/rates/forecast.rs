@@ -65,7 +65,7 @@ impl Forecast {
                 };
                 let camera_frames = measurements(settings);
                 let once_s = rates.on_map(&settings.map, |sample| sample.load_scene_s)
-                    + rates.like(settings, |sample| sample.bake_s);
+                    + rates.like(settings, |sample| sample.bake_s + sample.first_s);
                 let seconds = load_s + once_s + camera_frames as f64 * rates.like(settings, |sample| sample.frame_s);
                 shard_s += seconds;
                 let bytes = camera_frames as f64 * rates.like(settings, |sample| sample.frame_bytes)
@@ -113,7 +113,8 @@ mod tests {
             measurements: 8,
             load_map_s: 10.0,
             load_scene_s: 1.0,
-            bake_s: 4.0,
+            bake_s: 3.0,
+            first_s: 1.0,
             frame_s,
             frame_bytes: 1000.0,
             video_bytes: 500.0,

@@ -1,6 +1,6 @@
 //! Records a few frames of a few videos.
 
-use super::{RateSample, Rates, choice::unlike};
+use super::{RateSample, Rates, choice::unlike, frame_times::FrameTimes};
 use crate::{
     GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator,
     measurements::measurements,
@@ -76,11 +76,16 @@ fn sample<S: Simulator>(
     let map = clock.time(Stage::LoadMap, || simulator.load_map(&wanted))?;
     let video = layout.video(settings);
     let streams = Stream::all(&recipe, settings, &video);
+    let frame_times = FrameTimes::new(progress);
+    let progress: &dyn Progress = &frame_times;
     let recording =
         Recording { settings, recipe: &recipe, layout: &video, streams: &streams, pool, progress, clock: &clock };
     clock.time(Stage::Record, || record_video(simulator, &map, &recording))?;
     let times = clock.times();
     let measured = measurements(settings).max(1);
+    let record_s = times.record.as_secs_f64();
+    let frames = f64::from(settings.frames.max(1));
+    let frame_s = frame_times.steady(pool.current_num_threads()).unwrap_or(record_s / frames).min(record_s / frames);
     let once = bytes_once(&video, settings)?;
     let all = video.bytes()?;
     fs::remove_dir_all(video.folder()).map_err(|e| DatasetError::io("cannot remove", video.folder(), e))?;
@@ -93,7 +98,8 @@ fn sample<S: Simulator>(
         load_map_s: times.load_map.as_secs_f64(),
         load_scene_s: times.load_scene.as_secs_f64(),
         bake_s: times.bake.as_secs_f64(),
-        frame_s: times.record.as_secs_f64() / measured as f64,
+        first_s: record_s - frame_s * frames,
+        frame_s: frame_s * frames / measured as f64,
         frame_bytes: (all - once) as f64 / measured as f64,
         video_bytes: once as f64,
     })

@@ -24,7 +24,9 @@ pub struct RateSample {
     pub load_scene_s: f64,
     /// Baking, seconds for all cameras.
     pub bake_s: f64,
-    /// A measurement of one camera or sensor, seconds: the mean of all.
+    /// What the first frames take beyond that of later ones, seconds.
+    pub first_s: f64,
+    /// A measurement of one camera or sensor, seconds: the mean of all, the first frames left out.
     pub frame_s: f64,
     /// Bytes of a measurement, images and lines of labels.
     pub frame_bytes: f64,
