@@ -5,6 +5,7 @@
     python3 scripts/train_from_stream.py [STEPS]
 """
 
+import os
 import sys
 
 import torch
@@ -16,10 +17,13 @@ from endless_city.torch import StreamDataset, collate_detection
 
 steps = int(sys.argv[1]) if len(sys.argv) > 1 else 50
 torch.manual_seed(0)
+half = max((os.cpu_count() or 1) // 2, 1)  # the other half makes frames
+torch.set_num_threads(half)
 classes = len(endless_city.classes()) + 1  # and the background
 model = ssdlite320_mobilenet_v3_large(weights=None, weights_backbone=None, num_classes=classes).train()
 optimizer = torch.optim.SGD(model.parameters(), lr=0.01, momentum=0.9)
-frames = StreamDataset(videos=8, size=(320, 180), fps=5, duration=3, vehicles=60, pedestrians=60, layers="rgb", mp4="none")
+recipe = {"videos": 8, "size": (320, 180), "fps": 5, "duration": 3, "vehicles": 60, "layers": "rgb", "mp4": "none"}
+frames = StreamDataset(threads=half, **recipe)
 losses = []
 for images, targets in DataLoader(frames, batch_size=2, collate_fn=collate_detection):
     loss = sum(model([image / 255 for image in images], targets).values())

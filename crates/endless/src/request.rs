@@ -76,12 +76,12 @@ impl Request {
     /// As [`Self::generate`].
     pub fn stream(
         self,
-        options: StreamOptions,
+        options: &StreamOptions,
         progress: &dyn Progress,
         take: &mut (dyn FnMut(StreamedFrame) -> ControlFlow<()> + Send),
     ) -> Result<StreamEnd> {
         let Self { args, draft, threads, stop } = self;
-        let options = StreamOptions { threads, shard: args.shard, ..options };
+        let options = StreamOptions { threads, shard: args.shard, ..options.clone() };
         let hand_over = HandOver { options, camera: None, progress, take };
         with_simulator(MapLibrary::user(), draft, &args, Some(stop), hand_over)
     }

@@ -78,13 +78,13 @@ impl FrameReader {
                 }
             }
         }
-        let of_videos = reader.manifest.videos.iter().map(|video| video.name.clone()).collect();
-        reader.all_are_known("video", selection.videos.as_deref(), of_videos)?;
-        reader.all_are_known("camera", selection.cameras.as_deref(), known)?;
+        let of_videos: Vec<String> = reader.manifest.videos.iter().map(|video| video.name.clone()).collect();
+        reader.all_are_known("video", selection.videos.as_deref(), &of_videos)?;
+        reader.all_are_known("camera", selection.cameras.as_deref(), &known)?;
         Ok(reader)
     }
 
-    fn all_are_known(&self, what: &str, asked: Option<&[String]>, known: Vec<String>) -> Result<(), DatasetError> {
+    fn all_are_known(&self, what: &str, asked: Option<&[String]>, known: &[String]) -> Result<(), DatasetError> {
         let unknown = asked.into_iter().flatten().find(|name| !known.contains(name));
         unknown.map_or(Ok(()), |name| {
             let reason = format!("the dataset has no complete {what} '{name}': use some of {}", known.join(", "));

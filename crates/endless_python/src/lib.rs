@@ -8,6 +8,8 @@
 //! _native ── draft, flags ──► endless::Request ──┘  on a thread of its own; this one waits, and looks for Ctrl-C
 //! ```
 
+#![expect(clippy::needless_pass_by_value, reason = "PyO3 makes arguments of their own of what it is given")]
+
 mod arrays;
 mod catalogue;
 mod command;

@@ -72,7 +72,7 @@ impl FrameStream {
                     }
                 }
             };
-            let end = request.stream(options, &*watched, &mut take);
+            let end = request.stream(&options, &*watched, &mut take);
             // Where nobody listens, nobody asks how it ended.
             let _ = sender.send(Item::End(broken.map_or(end, |error| Err(error.into()))));
         })?;
