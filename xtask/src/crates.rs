@@ -13,7 +13,7 @@ const LAYERS: &[&[&str]] = &[
     &["endless_traffic", "endless_city", "endless_dataset"],
     &["endless_interchange", "endless_export", "endless_statistics", "endless_view"],
     &["endless_pipeline"],
-    &["endless_carla"],
+    &["endless_carla", "endless_storage"],
     &["endless", "endless_fuzz"],
     &["endless_python"],
 ];

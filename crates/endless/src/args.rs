@@ -90,7 +90,8 @@ pub(crate) struct ServeArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct GenerateArgs {
-    /// Folder of the dataset; it is created if it does not exist.
+    /// Folder of the dataset; it is created if it does not exist. Or object storage: s3://BUCKET/PREFIX, gs://BUCKET/PREFIX,
+    /// az://CONTAINER/PREFIX (docs/storage.md).
     pub(crate) out: PathBuf,
     #[command(flatten)]
     pub(crate) recipe: RecipeArgs,
@@ -111,7 +112,11 @@ pub(crate) struct GenerateArgs {
     /// With a CARLA server: how long a frame may take, seconds; then it is asked for again.
     #[arg(long, value_name = "S", default_value_t = 30.0, value_parser = seconds)]
     pub(crate) frame_timeout: f64,
-    /// With a CARLA server: how long one that has gone is waited for, seconds; then the run ends, and the same command goes on.
+    /// With object storage: the folder in which videos are recorded before they are uploaded [default: the user's cache].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) work_dir: Option<PathBuf>,
+    /// With a CARLA server or object storage: how long one that has gone is waited for, seconds; then the run ends, and the same
+    /// command goes on.
     #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds)]
     pub(crate) reconnect_timeout: f64,
     /// Write the settings of all scenes, print the work order, and stop.
@@ -400,7 +405,7 @@ pub(crate) struct ExportFiles {
 
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
-    /// Folder of the dataset.
+    /// Folder of the dataset, or its address in object storage: then a video at a time comes to a temporary folder.
     pub(crate) out: PathBuf,
     /// Also tell which of so many shards make the videos that are missing.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Shard::MAX)))]

@@ -1,9 +1,10 @@
 //! `endless check`.
 
-use crate::{args::CheckArgs, exit::FAILURE, progress_bar::bar_of};
+use crate::{args::CheckArgs, exit::FAILURE, progress_bar::bar_of, storage};
 use anyhow::{Context, Result};
 use endless_dataset::{CheckOptions, DatasetError, DatasetLayout, VideoLayout, check_with};
 use endless_pipeline::{Plan, Shard};
+use endless_storage::DatasetAddress;
 use std::{io::Write, path::Path, process::ExitCode};
 
 pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
@@ -12,19 +13,33 @@ pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
         bar.set_length(total);
         bar.set_position(done);
     };
-    let options = CheckOptions { threads, progress: Some(&progress) };
-    let checked = check_with(&args.out, &options);
-    bar.finish_and_clear();
-    let report = match checked {
-        Err(error @ DatasetError::OtherFormat { .. }) => return Err(error.into()),
-        other => other.context("there is no dataset to check")?,
-    };
+    let (root, report, _temporary);
+    match storage::address(&args.out)? {
+        DatasetAddress::Folder(folder) => {
+            let options = CheckOptions { threads, progress: Some(&progress), ..CheckOptions::default() };
+            let checked = check_with(&folder, &options);
+            bar.finish_and_clear();
+            report = match checked {
+                Err(error @ DatasetError::OtherFormat { .. }) => return Err(error.into()),
+                other => other.context("there is no dataset to check")?,
+            };
+            root = folder;
+        }
+        DatasetAddress::Storage(address) => {
+            let folder = tempfile::tempdir().context("cannot make a temporary folder")?;
+            let checked = storage::check_there(&address, folder.path(), threads, &progress);
+            bar.finish_and_clear();
+            report = checked?;
+            root = folder.path().to_owned();
+            _temporary = folder;
+        }
+    }
     let mut out = std::io::stdout().lock();
     for finding in &report.findings {
         writeln!(out, "{finding}")?;
     }
     if let Some(shards) = args.shards {
-        for (shard, missing) in missing_of_shards(&args.out, shards)? {
+        for (shard, missing) in missing_of_shards(&root, shards)? {
             writeln!(out, "shard {shard} still has to make {}: run it again", missing.join(", "))?;
         }
     }

@@ -1,6 +1,6 @@
 //! `endless export`.
 
-use crate::{args::ExportArgs, progress_bar::bar_of};
+use crate::{args::ExportArgs, progress_bar::bar_of, storage};
 use anyhow::{Context, Result};
 use endless_export::{ClassMapping, ExportOptions, Format, Placing, export};
 use std::{
@@ -13,6 +13,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<ExitCode> {
         list(&mut io::stdout().lock())?;
         return Ok(ExitCode::SUCCESS);
     };
+    let out = &storage::folder(out)?;
     let classes = match &args.classes {
         None => ClassMapping::default(),
         Some(path) if path.as_os_str() == "coco" => ClassMapping::coco(),

@@ -1,6 +1,6 @@
 //! `endless generate`.
 
-use crate::{args::GenerateArgs, assets, build_info::this_build, exit::INTERRUPTED, report::Reporter};
+use crate::{args::GenerateArgs, assets, build_info::this_build, exit::INTERRUPTED, report::Reporter, storage};
 use anyhow::Result;
 use endless_carla::client::{Address, CarlaSettings, CarlaSimulator, StopFlag};
 use endless_dataset::{Recipe, RecipeDraft};
@@ -9,6 +9,7 @@ use endless_pipeline::{
     BakeCache, BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, Progress, RecipeError, Shard, Simulator,
     generate, read_cameras, read_recipe, read_rig, resolve_recipe,
 };
+use endless_storage::DatasetAddress;
 use std::{io::Write, process::ExitCode, time::Duration};
 
 /// The simulator that is used if none is named.
@@ -55,7 +56,12 @@ impl WithSimulator for Record<'_> {
             plan_only: args.plan_only,
             shard: args.shard,
         };
-        Ok(generate(simulator, recipe, &args.out, &options, progress)?)
+        match storage::address(&args.out)? {
+            DatasetAddress::Folder(folder) => Ok(generate(simulator, recipe, &folder, &options, progress)?),
+            DatasetAddress::Storage(address) => {
+                storage::generate_there(simulator, recipe, &address, args, &options, progress)
+            }
+        }
     }
 }
 

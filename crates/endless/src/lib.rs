@@ -27,6 +27,7 @@ mod serve;
 mod simulate;
 mod simulate_options;
 mod statistics;
+mod storage;
 mod threads;
 mod view;
 
@@ -35,6 +36,7 @@ use clap::Parser;
 use endless_export::ExportError;
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError, SimulatorError};
+use endless_storage::AddressError;
 use exit::{FAILURE, INTERRUPTED, USAGE};
 use std::{
     env,
@@ -126,6 +128,7 @@ fn exit_code(error: &anyhow::Error) -> u8 {
 fn cannot_be_asked(error: &anyhow::Error) -> bool {
     let plan = error.downcast_ref::<GenerateError>();
     error.is::<RecipeError>()
+        || error.is::<AddressError>()
         || matches!(error.downcast_ref(), Some(ExportError::Split(_) | ExportError::Classes { .. }))
         || matches!(
             plan,

@@ -48,6 +48,7 @@ fn source(args: &mut PlanArgs) -> GenerateArgs {
         plan_only: false,
         shard: None,
         allow_other_build: false,
+        work_dir: None,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::args::{CompareArgs, StatsArgs, StatsOutputs};
 use crate::file::{make_folder_of, write};
-use crate::progress_bar::bar_of;
+use crate::{progress_bar::bar_of, storage};
 use anyhow::{Result, bail};
 use endless_dataset::{DatasetError, write_json_durable};
 use endless_statistics::{CocoClasses, Comparison, DatasetStatistics, GatherOptions, Report};
@@ -43,6 +43,7 @@ pub(crate) fn compare(args: &CompareArgs) -> Result<ExitCode> {
 }
 
 fn of_dataset(folder: &Path, stride: u32) -> Result<DatasetStatistics> {
+    let folder = &storage::folder(folder)?;
     let bar = bar_of("camera frames");
     let progress = |done, total| {
         bar.set_length(total);

@@ -1,6 +1,6 @@
 //! `endless view`: a dataset in the browser.
 
-use crate::args::ViewArgs;
+use crate::{args::ViewArgs, storage};
 use anyhow::Result;
 use endless_view::{ViewSettings, Viewer};
 use std::{
@@ -9,7 +9,7 @@ use std::{
 };
 
 pub(crate) fn run(args: &ViewArgs) -> Result<ExitCode> {
-    let settings = ViewSettings { folder: args.out.clone(), bind: args.bind, port: args.port };
+    let settings = ViewSettings { folder: storage::folder(&args.out)?, bind: args.bind, port: args.port };
     let viewer = Viewer::bind(&settings)?;
     let stopper = viewer.stopper();
     ctrlc::set_handler(move || stopper.stop())?;

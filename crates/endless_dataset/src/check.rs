@@ -18,7 +18,7 @@ mod video;
 
 pub use report::{CheckReport, Finding};
 
-use crate::{CameraOutput, DatasetError, DatasetLayout, Manifest, ModelSpec, SensorSpec, VideoState};
+use crate::{CameraOutput, DatasetError, DatasetLayout, Manifest, ModelSpec, SensorSpec, VideoEntry, VideoState};
 use progress::CheckProgress;
 use rayon::{ThreadPoolBuilder, prelude::*};
 use std::{collections::BTreeSet, fmt, io, path::Path};
@@ -32,6 +32,8 @@ pub struct CheckOptions<'a> {
     pub threads: usize,
     /// Told how many frames of images and videos are done, and of how many, by any thread.
     pub progress: Option<&'a (dyn Fn(u64, u64) + Sync)>,
+    /// The number of the only video that is looked into; all where none is named.
+    pub only: Option<usize>,
 }
 
 impl fmt::Debug for CheckOptions<'_> {
@@ -60,9 +62,12 @@ pub fn check_with(root: &Path, options: &CheckOptions<'_>) -> Result<CheckReport
     let mut report = CheckReport { videos: manifest.videos.len(), ..Default::default() };
     report.findings.extend(check_manifest(&layout, &manifest));
     let progress = CheckProgress::new(frames_to_check(&manifest), options.progress);
-    let videos: Vec<CheckReport> = pool.install(|| {
-        manifest.videos.par_iter().map(|video| check_video(&layout, &manifest, video, &progress)).collect()
-    });
+    let videos: Vec<&VideoEntry> = match options.only {
+        Some(number) => manifest.videos.get(number).into_iter().collect(),
+        None => manifest.videos.iter().collect(),
+    };
+    let videos: Vec<CheckReport> =
+        pool.install(|| videos.par_iter().map(|video| check_video(&layout, &manifest, video, &progress)).collect());
     for video in videos {
         report.merge(video);
     }

@@ -1,6 +1,6 @@
 //! Errors between a recipe and its dataset. Every message is one line that says what to do.
 
-use crate::{DiskEstimate, Shard, SimulatorError};
+use crate::{DiskEstimate, Shard, SimulatorError, StoreError};
 use endless_annotate::AnnotateError;
 use endless_dataset::{BuildIdentity, DatasetError, OptionError};
 use endless_interchange::TrackFileError;
@@ -143,6 +143,9 @@ pub enum GenerateError {
     /// A file cannot be read or written.
     #[error(transparent)]
     Dataset(#[from] DatasetError),
+    /// Where the dataset is kept.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// The simulator failed.
     #[error(transparent)]
     Simulator(#[from] SimulatorError),

@@ -8,7 +8,8 @@ mod lock_file;
 mod output;
 
 use crate::{
-    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard, Simulator, SimulatorError, StageTimes,
+    DatasetStore, FolderStore, GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard, Simulator,
+    SimulatorError, StageTimes,
     measurements::measurements,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
@@ -65,33 +66,54 @@ pub fn generate<S: Simulator>(
     options: &GenerateOptions,
     progress: &dyn Progress,
 ) -> Result<Generated, GenerateError> {
+    generate_into(simulator, recipe, root, &FolderStore, options, progress)
+}
+
+/// Makes the dataset of a recipe in a store, or resumes it; videos are recorded in a folder of work.
+///
+/// # Errors
+/// As [`generate`], and when the store refuses.
+pub fn generate_into<S: Simulator>(
+    simulator: &S,
+    recipe: &Recipe,
+    root: &Path,
+    store: &dyn DatasetStore,
+    options: &GenerateOptions,
+    progress: &dyn Progress,
+) -> Result<Generated, GenerateError> {
     let waiting = usize::from(simulator.capabilities().waits);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1) + waiting).build()?;
     // Whatever works side by side, loading and baking too, finds this pool around it.
-    pool.install(|| generate_in(&pool, simulator, recipe, root, options, progress))
+    pool.install(|| generate_in(&pool, simulator, recipe, root, store, options, progress))
 }
 
-/// [`generate`] on the threads of a pool.
+/// [`generate_into`] on the threads of a pool.
 fn generate_in<S: Simulator>(
     pool: &rayon::ThreadPool,
     simulator: &S,
     recipe: &Recipe,
     root: &Path,
+    store: &dyn DatasetStore,
     options: &GenerateOptions,
     progress: &dyn Progress,
 ) -> Result<Generated, GenerateError> {
     let start = Instant::now();
     let layout = DatasetLayout::new(root);
     let plan = Plan::new(recipe, simulator)?;
-    let claim =
-        ResumeRequest { recipe, plan: &plan, build: &options.build, allow_other_build: options.allow_other_build };
     let part = plan.part(options.shard);
+    let allow_other_build = options.allow_other_build;
+    let claim = ResumeRequest { recipe, plan: &plan, build: &options.build, allow_other_build, store };
+    // A folder is not touched before it is known that it may be. One of work is nobody else's, and is made anew.
+    let of_work = store.videos_at_a_time().is_some();
+    let early_lock = of_work.then(|| DatasetLock::take(&layout, options.shard)).transpose()?;
+    store.open(&layout)?;
     let output = OutputFolder::inspect(&layout, &claim, &part)?;
-    let estimate = estimate::estimate(&layout, recipe, &output.remaining_scenes(&plan, &part))?;
+    let remaining_scenes = output.remaining_scenes(&plan, &part);
+    let estimate = estimate::estimate(&layout, recipe, &remaining_scenes, store.videos_at_a_time())?;
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
-    let lock = DatasetLock::take(&layout, options.shard)?;
+    let lock = early_lock.map_or_else(|| DatasetLock::take(&layout, options.shard), Ok)?;
     if !lock.holds() {
         progress.event(&ProgressEvent::NoLocks);
     }
@@ -103,7 +125,8 @@ fn generate_in<S: Simulator>(
         files.remove_temporaries(folder, |writer| !lock.holds() || is_of_same_shards(writer, options.shard))?;
     }
     output::write_plan(&layout, &plan, &files)?;
-    output::reopen(&layout, &remaining_scenes)?;
+    store.put_scenes(&layout)?;
+    output::reopen(&layout, &remaining_scenes, store)?;
     let mut index = DatasetIndex::new(&layout, claim, &files);
     index.update()?;
     let mut generated = Generated {
@@ -148,10 +171,18 @@ fn generate_in<S: Simulator>(
                 map = None;
                 run.recover(settings, failure, failures)?;
             }
+            let video = layout.video(settings);
+            generated.bytes += video.bytes()?;
+            store.put_video(&video)?;
+            index.update()?;
             generated.videos += 1;
             generated.camera_frames += measurements(settings);
-            generated.bytes += layout.video(settings).bytes()?;
         }
+    }
+    if of_work {
+        store.wait()?;
+        index.update()?;
+        store.close(&layout)?;
     }
     generated.seconds = start.elapsed().as_secs_f64();
     generated.times = clock.times();
@@ -194,7 +225,7 @@ impl<S: Simulator> GenerateRun<'_, S> {
         Ok(())
     }
 
-    /// Records a video, and notes who does it before it begins, and that it is complete.
+    /// Records a video, and notes who does it before it begins.
     fn video(
         &mut self,
         map: &mut Option<S::Map>,
@@ -227,7 +258,6 @@ impl<S: Simulator> GenerateRun<'_, S> {
         self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
         streams.iter().for_each(|stream| stream.add_times(sensors));
         self.progress.event(&ProgressEvent::VideoDone { name: &name });
-        index.update()?;
         Ok(())
     }
 }

@@ -59,6 +59,7 @@ mod rig;
 mod shard;
 mod simulator;
 mod simulator_error;
+mod store;
 mod streaming;
 #[cfg(test)]
 mod test_catalog;
@@ -68,7 +69,7 @@ mod user_camera;
 pub use builtin::{BakeCache, BuiltinMap, BuiltinSimulator, SceneBoxes};
 pub use disk_estimate::DiskEstimate;
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
-pub use generate::{GenerateOptions, Generated, generate};
+pub use generate::{GenerateOptions, Generated, generate, generate_into};
 pub use plan::Plan;
 pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use rates::{Forecast, RateOptions, RateSample, Rates, VideoForecast, measure_rates};
@@ -81,6 +82,7 @@ pub use simulator::{
     SimulationSession, SimulationStep, Simulator, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;
+pub use store::{DatasetStore, FolderStore, StoreError, StoredFiles};
 pub use streaming::{
     Measurement, StreamEnd, StreamOptions, StreamOrder, StreamedCamera, StreamedFrame, StreamedSensor, StreamedVideo,
     stream,

@@ -14,5 +14,6 @@ mod scaling;
 mod shards;
 mod simulate;
 mod statistics;
+mod storage;
 mod threads;
 mod view;

@@ -52,7 +52,8 @@ pub struct CheckReport {
 }
 
 impl CheckReport {
-    pub(super) fn merge(&mut self, other: Self) {
+    /// Adds what was found in other videos.
+    pub fn merge(&mut self, other: Self) {
         self.images += other.images;
         self.boxes += other.boxes;
         self.findings.extend(other.findings);

@@ -13,13 +13,17 @@ const VIDEO_BYTES_A_PIXEL: f64 = 0.035;
 /// Headers, annotations and what a file takes beyond its bytes.
 const BYTES_A_FILE: f64 = 4096.0;
 
+/// Of all scenes, or of as many of the largest as may lie on the disk at a time.
 pub(super) fn estimate(
     layout: &DatasetLayout,
     recipe: &Recipe,
     remaining_scenes: &[&SceneSettings],
+    videos_at_a_time: Option<usize>,
 ) -> Result<DiskEstimate, DatasetError> {
-    let (mut missing_frames, mut bytes) = (0, 0.0);
+    let mut missing_frames = 0;
+    let mut bytes_of_videos = Vec::with_capacity(remaining_scenes.len());
     for settings in remaining_scenes {
+        let mut bytes = 0.0;
         for stream in Stream::all(recipe, settings, &layout.video(settings)) {
             let frames = stream.frames().len() as u64;
             let folders = stream.frame_folders().len() as u64;
@@ -35,7 +39,11 @@ pub(super) fn estimate(
             };
             bytes += missing as f64 * (images + stream.bytes_a_measurement) + frames as f64 * videos;
         }
+        bytes_of_videos.push(bytes);
     }
+    bytes_of_videos.sort_by(|a, b| b.total_cmp(a));
+    bytes_of_videos.truncate(videos_at_a_time.unwrap_or(usize::MAX));
+    let bytes: f64 = bytes_of_videos.iter().sum();
     Ok(DiskEstimate { camera_frames: missing_frames, bytes: bytes as u64, free: free(layout.root())? })
 }
 

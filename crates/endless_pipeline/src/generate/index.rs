@@ -1,8 +1,9 @@
 //! `dataset.json`: an index that anybody can make again of the recipe, its plan and what lies in `videos`.
 
 use super::{begun_video::BegunVideo, output::ResumeRequest};
+use crate::StoreError;
 use endless_dataset::{
-    BuildIdentity, DatasetError, DatasetLayout, Manifest, SharedFiles, VideoEntry, VideoLayout, VideoState,
+    BuildIdentity, Card, DatasetError, DatasetLayout, Manifest, SharedFiles, VideoEntry, VideoLayout, VideoState,
 };
 use endless_world::SceneSettings;
 use std::{
@@ -27,11 +28,14 @@ impl<'a> DatasetIndex<'a> {
         Self { layout, request, files, begun: BTreeMap::new() }
     }
 
-    /// Writes the index of what is there now.
-    pub(super) fn update(&mut self) -> Result<(), DatasetError> {
+    /// Writes the index of what is there now, and the cards, which follow from it.
+    pub(super) fn update(&mut self) -> Result<(), StoreError> {
         self.look()?;
         loop {
-            self.files.write_json_durable(&self.layout.manifest(), &self.manifest())?;
+            let manifest = self.manifest();
+            Card::write_all(self.layout, &manifest, self.files)?;
+            self.files.write_json_durable(&self.layout.manifest(), &manifest)?;
+            self.request.store.put_index(self.layout)?;
             if !self.look()? {
                 return Ok(());
             }
@@ -42,7 +46,8 @@ impl<'a> DatasetIndex<'a> {
     ///
     /// Folders are listed, which asks the server of a network's file system for what is new; the mere name of a file may
     /// still be unknown here when another machine has written it.
-    fn look(&mut self) -> Result<bool, DatasetError> {
+    fn look(&mut self) -> Result<bool, StoreError> {
+        self.request.store.refresh(self.layout)?;
         let names = names(self.layout)?;
         let mut changed = false;
         for settings in &self.request.plan.scenes {

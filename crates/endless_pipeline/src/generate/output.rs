@@ -2,12 +2,12 @@
 
 use super::begun_video::BegunVideo;
 use crate::{
-    GenerateError, Plan,
+    DatasetStore, GenerateError, Plan, StoreError,
     record::{Stream, stream_is_complete},
 };
 use endless_dataset::{
-    BuildIdentity, DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, SharedFiles, VideoLayout, read_json,
-    sync_tree,
+    BuildIdentity, Card, DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, SharedFiles, VideoLayout,
+    read_json, sync_tree,
 };
 use endless_world::SceneSettings;
 use std::{collections::BTreeSet, fs, io, path::Path};
@@ -21,6 +21,8 @@ pub(super) struct ResumeRequest<'a> {
     pub(super) build: &'a BuildIdentity,
     /// Resume what another build began.
     pub(super) allow_other_build: bool,
+    /// Where the dataset is kept.
+    pub(super) store: &'a dyn DatasetStore,
 }
 
 /// The state of the output folder: which videos of a plan are complete.
@@ -65,7 +67,7 @@ impl OutputFolder {
                 return Err(GenerateError::UnknownBuild { path: video.folder().to_owned() });
             }
             refuse_other_build(layout, &begun.builds, claim)?;
-            if part.contains(&settings.video) && begun.boxes.is_some() && is_whole(&video, claim.recipe, settings)? {
+            if part.contains(&settings.video) && begun.boxes.is_some() && is_whole(&video, claim, settings)? {
                 output.complete.insert(settings.video);
             }
         }
@@ -95,12 +97,17 @@ pub(super) fn write_plan(layout: &DatasetLayout, plan: &Plan, files: &SharedFile
 }
 
 /// Takes from videos that have lost files what says that they are complete.
-pub(super) fn reopen(layout: &DatasetLayout, remaining: &[&SceneSettings]) -> Result<(), DatasetError> {
+pub(super) fn reopen(
+    layout: &DatasetLayout,
+    remaining: &[&SceneSettings],
+    store: &dyn DatasetStore,
+) -> Result<(), StoreError> {
     for settings in remaining {
-        let path = layout.video(settings).scene();
-        match fs::remove_file(&path) {
-            Err(e) if e.kind() != io::ErrorKind::NotFound => return Err(DatasetError::io("cannot remove", &path, e)),
-            _ => {}
+        let video = layout.video(settings);
+        match fs::remove_file(video.scene()) {
+            Ok(()) => store.reopen_video(&video)?,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => {}
+            Err(e) => return Err(DatasetError::io("cannot remove", video.scene(), e).into()),
         }
     }
     Ok(())
@@ -118,7 +125,11 @@ fn refuse_strangers(root: &Path) -> Result<(), GenerateError> {
         let name = name.to_string_lossy();
         let ours = ["scenes", "videos"].contains(&&*name)
             || name.starts_with(".lock")
-            || (name.starts_with(".dataset.json") && name.ends_with(".tmp"));
+            || Card::is_ours(&root.join(&*name))
+            || ["dataset.json"]
+                .iter()
+                .chain(&Card::NAMES)
+                .any(|file| name.starts_with(&format!(".{file}")) && name.ends_with(".tmp"));
         if !ours {
             return Err(GenerateError::OutputInUse { found: name.into_owned(), path: root.to_owned() });
         }
@@ -185,13 +196,15 @@ fn refuse_other_scenes(layout: &DatasetLayout, plan: &Plan) -> Result<(), Genera
 }
 
 /// Whether all files of a video are there whose `scene.json` says so.
-fn is_whole(video: &VideoLayout, recipe: &Recipe, settings: &SceneSettings) -> Result<bool, GenerateError> {
+fn is_whole(video: &VideoLayout, claim: &ResumeRequest<'_>, settings: &SceneSettings) -> Result<bool, GenerateError> {
     let Ok(record) = read_json::<SceneRecord>(&video.scene()) else { return Ok(false) };
-    if record.actors.is_some() && !video.actors().is_file() {
+    let files = claim.store.files(video)?;
+    let is_there = |path: &Path| files.has(video, path);
+    if record.actors.is_some() && !is_there(&video.actors()) {
         return Ok(false);
     }
-    for stream in Stream::all(recipe, settings, video) {
-        if !stream_is_complete(&stream)? {
+    for stream in Stream::all(claim.recipe, settings, video) {
+        if !stream_is_complete(&stream, &is_there) {
             return Ok(false);
         }
     }

@@ -6,7 +6,12 @@ use super::{
     streams::{Stream, StreamModel},
 };
 use endless_dataset::DatasetError;
-use std::{collections::BTreeSet, ffi::OsString, fs, io, path::Path};
+use std::{
+    collections::BTreeSet,
+    ffi::OsString,
+    fs, io,
+    path::{Path, PathBuf},
+};
 
 /// Frames that are taken over as they are stored: every file of all streams is there.
 pub(super) struct StoredFrames {
@@ -86,7 +91,7 @@ pub(crate) fn count_files(stream: &Stream<'_>) -> Result<u64, DatasetError> {
 }
 
 /// Whether every file of a stream is there.
-pub(crate) fn stream_is_complete(stream: &Stream<'_>) -> Result<bool, DatasetError> {
+pub(crate) fn stream_is_complete(stream: &Stream<'_>, is_there: impl Fn(&Path) -> bool) -> bool {
     let Stream { files, sensor, .. } = stream;
     let mut others = Vec::new();
     if let StreamModel::Camera(camera) = &stream.model {
@@ -97,6 +102,8 @@ pub(crate) fn stream_is_complete(stream: &Stream<'_>) -> Result<bool, DatasetErr
         others.extend([files.sensor(), files.poses()]);
     }
     others.extend(stream.lines.clone());
-    let all = stream.frames().len() as u64 * stream.frame_folders().len() as u64;
-    Ok(others.into_iter().all(|path| path.is_file()) && count_files(stream)? == all)
+    let of_frames = |(folder, extension): &(PathBuf, String)| {
+        stream.frames().all(|frame| is_there(&folder.join(file_name(frame, extension))))
+    };
+    others.iter().all(|path| is_there(path)) && stream.frame_folders().iter().all(of_frames)
 }

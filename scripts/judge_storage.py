@@ -1,0 +1,329 @@
+#!/usr/bin/env python3
+"""Judges `endless generate s3://...` with a real S3 server: moto, from PyPI.
+
+    python3 -m venv VENV && VENV/bin/pip install "moto[server]" boto3
+    VENV/bin/python scripts/judge_storage.py path/to/endless [KILLS]
+
+The program must be built with `--features cloud`. A dataset is made in a folder and in a bucket, and all bytes are compared:
+in one go, killed at random instants, by eight shards at a time, over connections that break. Then what cannot work must say so in one line,
+lose nothing, and nowhere tell a secret.
+"""
+import http.client
+import http.server
+import json
+import os
+import random
+import re
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+import boto3
+import botocore.config
+
+SECRET = "wJalrXUtnFEMIK7MDENGbPxRfiCYEXAMPLESECRET"
+KEY = "AKIAHIDDENEXAMPLE"
+RECIPE = ["--videos", "8", "--size", "64x36", "--fps", "5", "--duration", "1", "--seed", "5", "--min-pixels", "5",
+          "--maps", "Town01,Town03", "--vehicles", "10", "--pedestrians", "5"]
+outputs = []
+
+
+def files(root):
+    found = {}
+    for folder, _, names in os.walk(root):
+        for name in names:
+            path = os.path.join(folder, name)
+            with open(path, "rb") as file:
+                found[os.path.relpath(path, root)] = file.read()
+    return found
+
+
+class Judge:
+    def __init__(self, endless, work):
+        self.endless, self.work = endless, work
+        self.port = free_port()
+        self.server = None
+        self.start_server()
+        self.local = os.path.join(work, "local")
+        begin = time.monotonic()
+        self.run([self.local, *RECIPE])
+        self.local_seconds = time.monotonic() - begin
+        self.wanted = files(self.local)
+
+    def start_server(self, **settings):
+        """An empty server."""
+        self.stop_server()
+        program = os.path.join(os.path.dirname(sys.executable), "moto_server")
+        self.server = subprocess.Popen([program, "-p", str(self.port)], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL, env={**os.environ, **settings})
+        for _ in range(300):
+            try:
+                socket.create_connection(("127.0.0.1", self.port), 1).close()
+                break
+            except OSError:
+                time.sleep(0.1)
+        self.s3 = boto3.client("s3", endpoint_url=f"http://127.0.0.1:{self.port}", region_name="us-east-1",
+                               aws_access_key_id=KEY, aws_secret_access_key=SECRET,
+                               config=botocore.config.Config(retries={"max_attempts": 1}))
+
+    def stop_server(self):
+        if self.server:
+            self.server.kill()
+            self.server.wait()
+            self.server = None
+
+    def environment(self, port=None, **more):
+        plain = {k: v for k, v in os.environ.items() if not k.startswith("AWS_")}
+        return {**plain, "AWS_ENDPOINT_URL": f"http://127.0.0.1:{port or self.port}", "AWS_ALLOW_HTTP": "true",
+                "AWS_ACCESS_KEY_ID": KEY, "AWS_SECRET_ACCESS_KEY": SECRET, "AWS_REGION": "us-east-1", **more}
+
+    def command(self, arguments, command="generate"):
+        work = [] if command != "generate" else ["--work-dir", os.path.join(self.work, "cache"), "--reconnect-timeout", "3"]
+        return [self.endless, "-vv", command, *arguments, *work]
+
+    def run(self, arguments, command="generate", **environment):
+        """What a run says that must work."""
+        code, said = self.try_run(arguments, command, **environment)
+        assert code == 0, said[-2000:]
+        return said
+
+    def try_run(self, arguments, command="generate", **environment):
+        ended = subprocess.run(self.command(arguments, command), capture_output=True, text=True,
+                               env=self.environment(**environment))
+        outputs.append(ended.stdout + ended.stderr)
+        return ended.returncode, ended.stderr
+
+    def refused(self, arguments, wanted, command="generate", **environment):
+        """The one line of a run that must be refused."""
+        code, said = self.try_run(arguments, command, **environment)
+        errors = [line for line in said.splitlines() if line.startswith("error: ")]
+        assert code != 0 and len(errors) == 1, (code, said[-2000:])
+        assert re.search(wanted, errors[0]), f"wanted {wanted}: {errors[0]}"
+        print("   ", errors[0], flush=True)
+
+    def objects(self, bucket, prefix):
+        """All objects with their bytes. Nothing of them may be secret."""
+        found = {}
+        for page in self.s3.get_paginator("list_objects_v2").paginate(Bucket=bucket, Prefix=prefix):
+            for entry in page.get("Contents", []):
+                body = self.s3.get_object(Bucket=bucket, Key=entry["Key"])["Body"].read()
+                assert SECRET.encode() not in body and KEY.encode() not in body
+                found[os.path.relpath(entry["Key"], prefix)] = body
+        return found
+
+    def assert_same(self, bucket, prefix):
+        found = self.objects(bucket, prefix)
+        assert found.keys() == self.wanted.keys(), sorted(found.keys() ^ self.wanted.keys())[:5]
+        differ = [name for name in found if found[name] != self.wanted[name]]
+        assert not differ, differ[:5]
+
+    def bucket(self, name):
+        self.s3.create_bucket(Bucket=name)
+        return name
+
+
+def free_port():
+    with socket.socket() as sock:
+        sock.bind(("127.0.0.1", 0))
+        return sock.getsockname()[1]
+
+
+class Proxy:
+    """Stands between both ends; `spoil` says what becomes of a request: nothing, an answer, or a cut connection."""
+
+    def __init__(self, port, spoil):
+        proxy = self
+
+        class Handler(http.server.BaseHTTPRequestHandler):
+            protocol_version = "HTTP/1.1"
+
+            def handle_any(self):
+                length = int(self.headers.get("content-length", 0))
+                with proxy.lock:
+                    proxy.requests += 1
+                    fate = spoil(proxy.requests, self.command, self.path)
+                if fate == "cut":
+                    # In the middle of the body.
+                    self.rfile.read(length // 2)
+                    self.connection.shutdown(socket.SHUT_RDWR)
+                    self.close_connection = True
+                    return
+                body = self.rfile.read(length)
+                if fate:
+                    status, code = fate
+                    self.answer(status, {}, f"<Error><Code>{code}</Code><Key>{SECRET}</Key></Error>".encode())
+                    return
+                upstream = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
+                upstream.request(self.command, self.path, body, dict(self.headers))
+                answer = upstream.getresponse()
+                self.answer(answer.status, dict(answer.getheaders()), answer.read())
+                upstream.close()
+
+            def answer(self, status, headers, body):
+                self.send_response_only(status)
+                for name, value in headers.items():
+                    if name.lower() not in ("content-length", "transfer-encoding", "connection"):
+                        self.send_header(name, value)
+                length = headers.get("Content-Length", len(body)) if self.command == "HEAD" else len(body)
+                self.send_header("Content-Length", str(length))
+                self.end_headers()
+                if self.command != "HEAD":
+                    self.wfile.write(body)
+
+            do_GET = do_PUT = do_POST = do_DELETE = do_HEAD = handle_any
+
+            def log_message(self, *_):
+                pass
+
+        self.requests, self.lock = 0, threading.Lock()
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        self.server.daemon_threads = True
+        self.port = self.server.server_address[1]
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.server.shutdown()
+        self.server.server_close()
+
+
+def is_upload(command, path):
+    return command == "PUT" and "/videos/" in path
+
+
+def step(text):
+    print(f"== {text}", flush=True)
+
+
+def main():
+    kills = int(sys.argv[2]) if len(sys.argv) > 2 else 10
+    with tempfile.TemporaryDirectory() as work:
+        judge = Judge(os.path.abspath(sys.argv[1]), work)
+        try:
+            judge_all(judge, kills)
+        finally:
+            judge.stop_server()
+    for said in outputs:
+        for secret in (SECRET, KEY, "hunter2"):
+            assert secret not in said, said[max(0, said.index(secret) - 200):][:400]
+    print(f"no secret in {len(outputs)} outputs at -vv, nor in any object")
+
+
+def judge_all(judge, kills):
+    step("whole")
+    judge.bucket("whole")
+    begin = time.monotonic()
+    judge.run(["s3://whole/a/b", *RECIPE])
+    seconds = time.monotonic() - begin
+    judge.assert_same("whole", "a/b")
+    print(f"{len(judge.wanted)} files the same; {seconds:.1f} s to the bucket, {judge.local_seconds:.1f} s to a folder")
+    left = files(os.path.join(judge.work, "cache"))
+    assert not left, f"left behind: {list(left)[:5]}"
+    assert "nothing to do" in judge.run(["s3://whole/a/b", *RECIPE])
+    said = judge.run(["s3://whole/a/b"], "check")
+    assert "all is well" in said
+    judge.refused(["s3://whole/a/b", *RECIPE, "--seed", "6"], "another recipe .*s3://whole/a/b$")
+    judge.refused(["s3://whole/empty"], "no such object.*s3://whole/empty/dataset.json$", "check")
+
+    step("a plan alone")
+    judge.bucket("planned")
+    judge.run(["s3://planned/a", *RECIPE, "--plan-only"])
+    names = set(judge.objects("planned", "a"))
+    assert names == {"dataset.json"} | {f"scenes/{i:04}.json" for i in range(8)}, names
+    judge.run(["s3://planned/a", *RECIPE])
+    judge.assert_same("planned", "a")
+
+    step("files lost in the bucket")
+    lost = [name for name in judge.wanted if name.endswith(".png")][3]
+    judge.s3.delete_object(Bucket="whole", Key=f"a/b/{lost}")
+    code, _ = judge.try_run(["s3://whole/a/b"], "check")
+    assert code == 1
+    judge.run(["s3://whole/a/b", *RECIPE])
+    judge.assert_same("whole", "a/b")
+
+    step(f"killed {kills} times")
+    judge.bucket("killed")
+    dice, killed = random.Random(1), 0
+    for _ in range(kills):
+        process = subprocess.Popen(judge.command(["s3://killed/a", *RECIPE]), env=judge.environment(),
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            process.wait(dice.uniform(0.1, judge.local_seconds / 3))
+        except subprocess.TimeoutExpired:
+            process.kill()
+            killed += process.wait() != 0
+    judge.run(["s3://killed/a", *RECIPE])
+    judge.assert_same("killed", "a")
+    print(f"{killed} of {kills} runs were killed before their end; the objects are the same")
+
+    step("eight shards at a time")
+    judge.bucket("shards")
+    shards = [subprocess.Popen(judge.command(["s3://shards/a", *RECIPE, "--shard", f"{i}/8", "--threads", "1"]),
+                               env=judge.environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+              for i in range(1, 9)]
+    for shard in shards:
+        said, _ = shard.communicate()
+        outputs.append(said)
+        assert shard.returncode == 0, said[-2000:]
+    judge.assert_same("shards", "a")
+
+    step("connections that are cut, and a server that asks to slow down")
+    judge.bucket("cut")
+    fates = random.Random(2)
+    with Proxy(judge.port, lambda *_: fates.choice([None] * 18 + ["cut", (503, "SlowDown")])) as proxy:
+        judge.run(["s3://cut/a", *RECIPE], port=proxy.port)
+    judge.assert_same("cut", "a")
+
+    step("what cannot work")
+    judge.refused(["s3://nobody/a", *RECIPE], "no such bucket.*s3://nobody$|no such bucket.*s3://nobody/a$")
+    judge.bucket("full")
+    full = lambda status, code: lambda n, *request: (status, code) if n > 60 and is_upload(*request) else None
+    for status, code in ((507, "InsufficientStorage"), (403, "QuotaExceeded")):
+        with Proxy(judge.port, full(status, code)) as proxy:
+            judge.refused(["s3://full/a", *RECIPE], "full or a quota.*same command goes on", port=proxy.port)
+    with Proxy(judge.port, lambda n, *request: (503, "SlowDown") if n > 60 and is_upload(*request) else None) as proxy:
+        judge.refused(["s3://full/a", *RECIPE], "too busy.*same command goes on", port=proxy.port)
+    with Proxy(judge.port, lambda n, *request: "cut" if n > 60 and is_upload(*request) else None) as proxy:
+        judge.refused(["s3://full/a", *RECIPE], "cannot be reached.*same command goes on", port=proxy.port)
+    with Proxy(judge.port, lambda *_: (403, "AccessDenied")) as proxy:
+        judge.refused(["s3://full/a", *RECIPE], "do not allow that .AccessDenied", port=proxy.port)
+    with Proxy(judge.port, lambda *_: (400, "AuthorizationHeaderMalformed")) as proxy:
+        judge.refused(["s3://full/a", *RECIPE], "another region: set AWS_REGION", port=proxy.port)
+    judge.refused(["s3://full/a", *RECIPE], "cannot be reached.*refused", port=free_port())
+    judge.run(["s3://full/a", *RECIPE])
+    judge.assert_same("full", "a")
+    for out in (f"s3://{KEY}:hunter2@full/a", "s3://full/a?key=hunter2"):
+        judge.refused([out, *RECIPE], "must not hold a user, a password or a key")
+    judge.refused(["ftp://full/a", *RECIPE], "unknown kind of address")
+
+    step("credentials that are not known, as moto checks them")
+    judge.start_server(INITIAL_NO_AUTH_ACTION_COUNT="1")
+    judge.s3.create_bucket(Bucket="guarded")
+    judge.refused(["s3://guarded/a", *RECIPE], "credentials are not accepted .InvalidAccessKeyId")
+
+    step("throughput")
+    judge.start_server()
+    judge.bucket("speed")
+    pictures = RECIPE[2:] + ["--videos", "1", "--duration", "34", "--layers", "rgb,depth,instance", "--size", "320x180"]
+    folder = os.path.join(judge.work, "speed")
+    begin = time.monotonic()
+    judge.run([folder, *pictures])
+    local = time.monotonic() - begin
+    begin = time.monotonic()
+    judge.run(["s3://speed/a", *pictures])
+    there = time.monotonic() - begin
+    made = files(folder)
+    images = sum(name.endswith(".png") for name in made)
+    megabytes = sum(map(len, made.values())) / 1e6
+    print(json.dumps({"images": images, "MB": round(megabytes, 1), "seconds to a folder": round(local, 1),
+                      "seconds to a bucket": round(there, 1),
+                      "uploads a second": round(len(made) / max(there - local, 0.1))}))
+
+
+if __name__ == "__main__":
+    main()
