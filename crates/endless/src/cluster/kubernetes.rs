@@ -64,6 +64,8 @@ spec:
         app: {name_text}
     spec:
       restartPolicy: Never
+      # What is finished stays, however it ends.
+      terminationGracePeriodSeconds: 5
       containers:
         - name: endless
           image: {image}
