@@ -1,6 +1,6 @@
 //! A manifest for Kubernetes.
 
-use super::quoted;
+use super::shell::quoted;
 use crate::args::KubernetesArgs;
 
 /// Where the volume is mounted.
