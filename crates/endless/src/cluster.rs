@@ -1,6 +1,7 @@
 //! `endless cluster`: scripts and manifests for the schedulers of others.
 
 mod kubernetes;
+mod shell;
 mod slurm;
 
 use crate::args::{ClusterArgs, ClusterEngine, ShardsArgs};
@@ -46,27 +47,4 @@ fn absolute(path: &Path) -> Result<String> {
 /// An address as it is, a folder from the root.
 fn place(out: &str) -> Result<String> {
     if out.contains("://") { Ok(out.to_owned()) } else { absolute(Path::new(out)) }
-}
-
-/// A word of a shell's command that means this text.
-fn quoted(text: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:=@%+,".contains(c);
-    if !text.is_empty() && text.chars().all(plain) {
-        return text.to_owned();
-    }
-    format!("'{}'", text.replace('\'', r"'\''"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_of_a_shell_mean_the_text() {
-        for text in ["/a/b.toml", "", "it's here", "$HOME `x` \"y\" \\ \n!", "s3://bucket/a b"] {
-            let said = std::process::Command::new("bash").args(["-c", &format!("printf %s {}", quoted(text))]).output();
-            assert_eq!(said.expect("bash").stdout, text.as_bytes(), "{text}");
-        }
-        assert_eq!(quoted("/a/b.toml"), "/a/b.toml");
-    }
 }

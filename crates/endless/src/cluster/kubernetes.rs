@@ -1,6 +1,6 @@
 //! A manifest for Kubernetes.
 
-use super::quoted;
+use super::shell::quoted;
 use crate::args::KubernetesArgs;
 
 /// Where the volume is mounted.
@@ -64,6 +64,8 @@ spec:
         app: {name_text}
     spec:
       restartPolicy: Never
+      # What is finished stays, however it ends.
+      terminationGracePeriodSeconds: 5
       containers:
         - name: endless
           image: {image}

@@ -1,6 +1,6 @@
 //! A script for Slurm that submits itself.
 
-use super::quoted;
+use super::shell::quoted;
 use crate::args::SlurmArgs;
 
 /// The script. Started by hand it queues itself as an array of jobs, and a check that comes when all have ended.

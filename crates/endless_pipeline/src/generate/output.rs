@@ -123,7 +123,8 @@ fn refuse_strangers(root: &Path) -> Result<(), GenerateError> {
     for entry in entries {
         let name = entry.map_err(|e| DatasetError::io("cannot read the folder", root, e))?.file_name();
         let name = name.to_string_lossy();
-        let ours = ["scenes", "videos"].contains(&&*name)
+        // Another shard may have written the manifest a moment ago.
+        let ours = ["scenes", "videos", "dataset.json"].contains(&&*name)
             || name.starts_with(".lock")
             || Card::is_ours(&root.join(&*name))
             || ["dataset.json"]
