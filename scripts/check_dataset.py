@@ -19,9 +19,7 @@ import check_scene
 import check_shadow
 import numpy as np
 from PIL import Image
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python"))
-from endless_dataset import read_png16  # noqa: E402
+from png16 import read_png16
 
 FAR_PLANE_M = 1000.0
 UNLABELED, SKY, PEDESTRIANS, RIDER = 0, 11, 12, 13

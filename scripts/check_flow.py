@@ -6,9 +6,7 @@ import sys
 
 import numpy as np
 from PIL import Image
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python"))
-from endless_dataset import read_png16  # noqa: E402
+from png16 import read_png16
 
 UNKNOWN, VISIBLE, HIDDEN, OUTSIDE = range(4)
 STEP_PX = 1 / 64

@@ -2,13 +2,10 @@
 
 import json
 import pathlib
-import sys
 
 import numpy as np
 from PIL import Image
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python"))
-from endless_dataset import read_png16  # noqa: E402
+from png16 import read_png16
 
 ROADS, VEGETATION, SKY = 1, 9, 11
 SHADED = 255

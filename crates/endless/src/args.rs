@@ -36,6 +36,10 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Make a dataset, or resume one that was interrupted.
     Generate(Box<GenerateArgs>),
+    /// Tell how long each video of a recipe would take on this machine and how large it would be, from a few frames.
+    Plan(Box<PlanArgs>),
+    /// Write what makes a dataset on a cluster: an array of jobs for Slurm, or a Job for Kubernetes.
+    Cluster(ClusterArgs),
     /// Check a dataset: read every file and list all errors.
     Check(CheckArgs),
     /// Write a dataset in a format of others: COCO, YOLO, MOTChallenge, KITTI and more.
@@ -126,6 +130,109 @@ pub(crate) struct GenerateArgs {
     /// lists the builds of every video.
     #[arg(long)]
     pub(crate) allow_other_build: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    pub(crate) recipe: RecipeArgs,
+    /// Read the recipe from a TOML file; flags override it.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) config: Option<PathBuf>,
+    /// Also tell which of so many shards makes each video, and how long the slowest takes.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(Shard::MAX)))]
+    pub(crate) shards: u32,
+    /// Write all numbers as JSON.
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) json: Option<PathBuf>,
+    /// Take what was measured from this file, or measure and keep it there.
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) rates: Option<PathBuf>,
+    /// Videos to try, each in other conditions than those before it.
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) samples: u32,
+    /// Frames to record of each.
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) frames: u32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ClusterArgs {
+    #[command(subcommand)]
+    pub(crate) engine: ClusterEngine,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum ClusterEngine {
+    /// Print a script that submits itself to Slurm: an array of shards that are queued again when a node is lost, and a check
+    /// at the end.
+    Slurm(SlurmArgs),
+    /// Print a manifest of an Indexed Job for Kubernetes: a shard a pod, each tried again by itself.
+    Kubernetes(KubernetesArgs),
+}
+
+/// What any cluster needs to know.
+#[derive(Debug, Args)]
+pub(crate) struct ShardsArgs {
+    /// The recipe: a TOML file.
+    pub(crate) recipe: PathBuf,
+    /// Folder of the dataset, or address of an object store.
+    #[arg(long, value_name = "OUT")]
+    pub(crate) out: String,
+    /// Number of shards.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Shard::MAX)))]
+    pub(crate) shards: u32,
+    /// Name of the job.
+    #[arg(long, value_name = "NAME", default_value = "endless", value_parser = job_name)]
+    pub(crate) name: String,
+    /// Cores of each shard.
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub(crate) cpus: u32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SlurmArgs {
+    #[command(flatten)]
+    pub(crate) shards: ShardsArgs,
+    /// Longest time of a shard, as Slurm writes it; one that is not done two minutes before is queued again and goes on.
+    #[arg(long, value_name = "TIME", default_value = "24:00:00", value_parser = slurm_word)]
+    pub(crate) time: String,
+    /// Partition [default: the cluster's].
+    #[arg(long, value_name = "NAME", value_parser = slurm_word)]
+    pub(crate) partition: Option<String>,
+    /// Account [default: the user's].
+    #[arg(long, value_name = "NAME", value_parser = slurm_word)]
+    pub(crate) account: Option<String>,
+    /// Memory of each shard, as Slurm writes it [default: the cluster's].
+    #[arg(long, value_name = "SIZE", value_parser = slurm_word)]
+    pub(crate) mem: Option<String>,
+    /// Most shards at the same time [default: as many as there is room for].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) at_once: Option<u32>,
+    /// The program on the nodes.
+    #[arg(long, value_name = "PATH", default_value = "endless")]
+    pub(crate) program: String,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct KubernetesArgs {
+    #[command(flatten)]
+    pub(crate) shards: ShardsArgs,
+    /// Image that has the program.
+    #[arg(long, value_name = "IMAGE")]
+    pub(crate) image: String,
+    /// Claim of a volume that all pods can write, mounted at /data: OUT is a folder there.
+    #[arg(long, value_name = "NAME", value_parser = job_name)]
+    pub(crate) claim: Option<String>,
+    /// Secret whose entries are environment variables of the pods, such as those of an object store.
+    #[arg(long, value_name = "NAME", value_parser = job_name)]
+    pub(crate) secret: Option<String>,
+    /// Memory of each pod.
+    #[arg(long, value_name = "SIZE", default_value = "8Gi", value_parser = slurm_word)]
+    pub(crate) memory: String,
+    /// How often each shard is tried again.
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    pub(crate) retries: u32,
 }
 
 #[derive(Debug, Args)]
@@ -460,6 +567,21 @@ fn top_view(path: PathBuf) -> Result<OutputFile<TopViewFormat>, &'static str> {
 fn rate(text: &str) -> Result<f64, String> {
     let rate = text.parse::<f64>().ok().filter(|rate| (0.1..=240.0).contains(rate));
     rate.ok_or_else(|| "give 0.1 to 240 a second".to_owned())
+}
+
+/// A name as Kubernetes has them, which Slurm takes too.
+fn job_name(text: &str) -> Result<String, &'static str> {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+    let good =
+        (1..=50).contains(&text.len()) && text.chars().all(plain) && !text.starts_with('-') && !text.ends_with('-');
+    good.then(|| text.to_owned()).ok_or("give lower-case letters, digits and dashes between them, 50 at most")
+}
+
+/// A word that stands in a line of options.
+fn slurm_word(text: &str) -> Result<String, &'static str> {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_:.,+".contains(c);
+    let good = !text.is_empty() && text.chars().all(plain);
+    good.then(|| text.to_owned()).ok_or("give one word of letters, digits and -_:.,+")
 }
 
 fn share(text: &str) -> Result<f64, String> {

@@ -8,6 +8,7 @@ mod assets;
 mod bench;
 mod build_info;
 mod check;
+mod cluster;
 mod cpu;
 mod exit;
 mod export;
@@ -16,6 +17,7 @@ mod generate;
 mod log;
 mod maps;
 mod memory;
+mod plan;
 mod progress_bar;
 mod recipe_args;
 mod report;
@@ -81,6 +83,8 @@ pub fn run_program(args: Vec<OsString>) -> ExitCode {
     let threads = threads::threads(cli.threads);
     let result = match cli.command {
         Command::Generate(args) => generate::run(library, *args, threads),
+        Command::Plan(args) => plan::run(library, *args, threads),
+        Command::Cluster(args) => cluster::run(&args),
         Command::Check(args) => check::run(&args, threads),
         Command::Export(args) => on_threads(threads, || export::run(&args)),
         Command::Stats(args) => on_threads(threads, || statistics::stats(&args)),

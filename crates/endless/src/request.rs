@@ -69,8 +69,8 @@ impl Request {
         with_simulator(MapLibrary::user(), draft, &args, Some(stop), record)
     }
 
-    /// Hands over the frames that the dataset would have, in the order of `options`; its number of threads is that of the
-    /// request.
+    /// Hands over the frames that the dataset would have, in the order of `options`; its threads and its shard
+    /// are those of the request.
     ///
     /// # Errors
     /// As [`Self::generate`].
@@ -81,7 +81,7 @@ impl Request {
         take: &mut (dyn FnMut(StreamedFrame) -> ControlFlow<()> + Send),
     ) -> Result<StreamEnd> {
         let Self { args, draft, threads, stop } = self;
-        let options = StreamOptions { threads, ..options };
+        let options = StreamOptions { threads, shard: args.shard, ..options };
         let hand_over = HandOver { options, camera: None, progress, take };
         with_simulator(MapLibrary::user(), draft, &args, Some(stop), hand_over)
     }

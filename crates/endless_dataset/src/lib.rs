@@ -28,6 +28,7 @@ mod body_parts;
 mod build_identity;
 mod camera_output;
 mod camera_record;
+mod card;
 mod check;
 mod durable;
 mod encoding;
@@ -68,6 +69,7 @@ pub use atomic::{AtomicFile, remove_temporaries, write_atomic, write_durable};
 pub use build_identity::BuildIdentity;
 pub use camera_output::CameraOutput;
 pub use camera_record::CameraRecord;
+pub use card::{Card, CardFacts, recipe_toml, size_category};
 pub use check::{CheckOptions, CheckReport, Finding, check, check_with};
 pub use durable::sync_tree;
 pub use encoding::{

@@ -31,6 +31,16 @@ impl SharedFiles {
         self.write(path, value)?.finish()
     }
 
+    /// Writes a text.
+    ///
+    /// # Errors
+    /// When the disk refuses.
+    pub fn write_text(&self, path: &Path, text: &str) -> Result<(), DatasetError> {
+        let mut file = self.create(path)?;
+        file.write(text.as_bytes())?;
+        file.finish()
+    }
+
     /// Writes a value as readable JSON, which is there after a power failure, too.
     ///
     /// # Errors
@@ -40,12 +50,16 @@ impl SharedFiles {
     }
 
     fn write<T: Serialize>(&self, path: &Path, value: &T) -> Result<AtomicFile, DatasetError> {
-        let mut file = match &self.writer {
-            Some(writer) => AtomicFile::create_by(path, writer)?,
-            None => AtomicFile::create(path)?,
-        };
+        let mut file = self.create(path)?;
         file.write(&json_text(path, value)?)?;
         Ok(file)
+    }
+
+    fn create(&self, path: &Path) -> Result<AtomicFile, DatasetError> {
+        match &self.writer {
+            Some(writer) => AtomicFile::create_by(path, writer),
+            None => AtomicFile::create(path),
+        }
     }
 
     /// Removes what a killed process left half-written in this folder: what bears the writer's name, and what bears no name

@@ -5,7 +5,7 @@ use crate::{
     exporter::Exporter,
     job::{Export, VideoJob},
 };
-use endless_dataset::Layer;
+use endless_dataset::{CardFacts, Layer, recipe_toml, size_category};
 use serde_json::json;
 
 /// A folder that `datasets.load_dataset` opens.
@@ -46,23 +46,20 @@ fn card(export: &Export<'_>) -> String {
         .iter()
         .map(|name| format!("  - split: {}\n    path: {}\n", quoted(name), quoted(&format!("data/{name}/**"))))
         .collect();
-    let frames = export.frames();
-    let size = match frames {
-        0..1_000 => "n<1K",
-        1_000..10_000 => "1K<n<10K",
-        10_000..100_000 => "10K<n<100K",
-        100_000..1_000_000 => "100K<n<1M",
-        _ => "1M<n<10M",
-    };
-    let recipe = serde_json::to_string_pretty(&manifest.recipe).expect("plain numbers and words");
+    let (facts, frames) = (CardFacts::new(manifest), export.frames());
     format!(
-        "---\ntask_categories:\n- object-detection\nsize_categories:\n- {size}\ntags:\n- synthetic\n- surveillance\n- urban\n\
+        "---\nlicense: {}\ntask_categories:\n- object-detection\nsize_categories:\n- {}\ntags:\n- synthetic\n- surveillance\n- urban\n\
          configs:\n- config_name: default\n  data_files:\n{splits}---\n# Urban surveillance cameras, synthetic\n\n{frames} pictures of {} \
          videos made by endless with seed {}. `objects.bbox` is `[x, y, w, h]` in pixels from the top-left corner, tight around what \
          can be seen; `objects.categories` are:\n\n| number | class |\n|---|---|\n{classes}\nThe recipe, which makes the same dataset \
-         again:\n\n```json\n{recipe}\n```\n",
+         again:\n\n```toml\n{}```\n\n## Licence\n\n{}\n\n## Citation\n\n```bibtex\n{}\n```\n",
+        facts.hub_licence(),
+        size_category(frames),
         export.videos().len(),
         manifest.seed,
+        recipe_toml(&manifest.recipe),
+        facts.licence,
+        facts.citation,
     )
 }
 

@@ -10,6 +10,7 @@ mod output;
 use crate::{
     DatasetStore, FolderStore, GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard, Simulator,
     SimulatorError, StageTimes,
+    measurements::measurements,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};
@@ -197,12 +198,6 @@ fn shared_files(shard: Option<Shard>) -> SharedFiles {
 fn is_of_same_shards(writer: &str, shard: Option<Shard>) -> bool {
     let of = writer.split_once("-of-").map(|(_, of)| of);
     shard.is_some_and(|shard| of == Some(shard.of().to_string().as_str()))
-}
-
-/// Frames of all cameras of a video, and measurements of the sensors of its rig.
-fn measurements(settings: &SceneSettings) -> u64 {
-    let of_rig = settings.sensors.iter().map(|sensor| u64::from(settings.frames.div_ceil(sensor.every)));
-    settings.cameras.len() as u64 * u64::from(settings.frames) + of_rig.sum::<u64>()
 }
 
 /// The state that all videos of a run share.

@@ -262,4 +262,39 @@ mod tests {
         let none = RecipeDraft { fps: Some(1.0), duration: Some(0.1), ..Default::default() };
         assert!(resolve_recipe(none, &ThreeTowns).is_err());
     }
+
+    /// The file that a dataset's card gives makes the same recipe.
+    #[test]
+    fn a_recipe_comes_again_from_its_card() {
+        let comes_again = |draft: RecipeDraft| {
+            let recipe = resolve_recipe(draft, &ThreeTowns).expect("valid");
+            let text = endless_dataset::recipe_toml(&recipe);
+            let again = recipe_from_text(&text, Path::new("recipe.toml")).expect(&text);
+            assert_eq!(resolve_recipe(again, &ThreeTowns).expect("valid"), recipe, "{text}");
+            text
+        };
+        comes_again(RecipeDraft::default());
+        for (density, vehicles) in [("rush", None), ("light", Some(7))] {
+            comes_again(RecipeDraft { density: Some(density.to_owned()), vehicles, ..Default::default() });
+        }
+        comes_again(RecipeDraft { camera_look: Some("clean".to_owned()), mp4: Some(Vec::new()), ..Default::default() });
+        let large = comes_again_but_for_its_seed(u64::MAX);
+        assert!(large.starts_with("# No number of TOML: --seed 18446744073709551615\n"), "{large}");
+        let cameras = "[[cameras]]\nmap = \"Town01\"\nname = \"gate\"\nposition = [1.1, -2.5, 6]\nyaw = 91.7\ndown = 20.3\n\n\
+                       [[cameras]]\nmap = \"Town03\"\nname = \"dome\"\nposition = [9, 2.5, 7]\nyaw = -180.0\ndown = 90\n\
+                       lens = \"fisheye\"\n\n[[counting_lines]]\nmap = \"Town01\"\nname = \"x\"\nfrom = [0, 1]\nto = [2, 3.5]\n";
+        comes_again(recipe_from_text(cameras, Path::new("recipe.toml")).expect("a recipe"));
+        let rig = include_str!("../../../rigs/every_sensor.toml");
+        comes_again(RecipeDraft { videos: Some(3), ..recipe_from_text(rig, Path::new("rig.toml")).expect("a rig") });
+    }
+
+    fn comes_again_but_for_its_seed(seed: u64) -> String {
+        let recipe =
+            resolve_recipe(RecipeDraft { seed: Some(seed), ..Default::default() }, &ThreeTowns).expect("valid");
+        let text = endless_dataset::recipe_toml(&recipe);
+        let again = recipe_from_text(&text, Path::new("recipe.toml")).expect("a recipe");
+        let again = resolve_recipe(RecipeDraft { seed: Some(seed), ..again }, &ThreeTowns).expect("valid");
+        assert_eq!(again, recipe);
+        text
+    }
 }

@@ -13,7 +13,7 @@ mod video;
 
 pub use frame::{Measurement, StreamedCamera, StreamedFrame, StreamedSensor, StreamedVideo};
 
-use crate::{GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator, record::StageClock};
+use crate::{GenerateError, MapUse, Plan, Progress, ProgressEvent, Shard, Simulator, record::StageClock};
 use endless_dataset::Recipe;
 use endless_world::SceneSettings;
 use std::ops::ControlFlow;
@@ -38,6 +38,8 @@ pub struct StreamOptions {
     pub order: StreamOrder,
     /// The first frame that is handed over, counted over all videos in this order. Videos before it are not made.
     pub first_frame: u64,
+    /// The part of the videos that is made; all of them without. Frames are counted over those of the part.
+    pub shard: Option<Shard>,
 }
 
 /// Whether a stream came to its end.
@@ -76,10 +78,10 @@ fn stream_in<S: Simulator>(
     take: &mut (dyn FnMut(StreamedFrame) -> ControlFlow<()> + Send),
 ) -> Result<StreamEnd, GenerateError> {
     let plan = Plan::new(recipe, simulator)?;
-    let order = match options.order {
-        StreamOrder::ByMap => plan.work_order(),
-        StreamOrder::ByNumber => (0..recipe.videos).collect(),
-    };
+    let mut order = plan.part(options.shard);
+    if options.order == StreamOrder::ByNumber {
+        order.sort_unstable();
+    }
     let (skipped, first) = skip(&plan, &order, options.first_frame);
     let scenes: Vec<&SceneSettings> = order[skipped..].iter().map(|video| &plan.scenes[*video as usize]).collect();
     let mut index = options.first_frame;

@@ -93,23 +93,21 @@ impl DatasetReader {
         Ok(arrays)
     }
 
-    /// The line of `objects.jsonl` of a camera frame.
-    fn objects_line<'py>(&self, py: Python<'py>, camera: usize, frame: u32) -> PyResult<Bound<'py, PyBytes>> {
+    /// The objects of a camera frame: their columns, and the line of `objects.jsonl`.
+    fn objects<'py>(
+        &self,
+        py: Python<'py>,
+        camera: usize,
+        frame: u32,
+    ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyBytes>)> {
         let of = self.camera(camera)?;
-        let line = py.detach(|| of.objects_line(frame)).map_err(|error| unreadable(&error))?;
-        Ok(PyBytes::new(py, &line))
-    }
-
-    /// The objects of a camera frame: the second, their columns.
-    fn objects<'py>(&self, py: Python<'py>, camera: usize, frame: u32) -> PyResult<(f64, Bound<'py, PyDict>)> {
-        let of = self.camera(camera)?;
-        let read = || -> Result<FrameObjects, DatasetError> {
+        let read = || -> Result<(FrameObjects, Vec<u8>), DatasetError> {
             let line = of.objects_line(frame)?;
             let malformed = |e: serde_json::Error| DatasetError::malformed(of.files.objects(), e.to_string());
-            serde_json::from_slice(&line).map_err(malformed)
+            Ok((serde_json::from_slice(&line).map_err(malformed)?, line))
         };
-        let objects = py.detach(read).map_err(|error| unreadable(&error))?;
-        Ok((objects.time_s, columns(py, &objects)?))
+        let (objects, line) = py.detach(read).map_err(|error| unreadable(&error))?;
+        Ok((columns(py, &objects)?, PyBytes::new(py, &line)))
     }
 }
 

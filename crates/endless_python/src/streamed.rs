@@ -4,16 +4,15 @@ use crate::{
     arrays::{insert_planes, shaped},
     objects::columns,
 };
-use endless_annotate::FrameObjects;
-use endless_dataset::{DatasetError, Plane};
+use endless_annotate::{ActorRecord, FrameObjects};
+use endless_dataset::{CameraRecord, DatasetError, Plane, SensorRecord, SpawnCounts};
 use endless_pipeline::{Measurement, StreamedCamera, StreamedFrame, StreamedSensor, StreamedVideo};
-use endless_world::{ImageSize, LidarSweep, PixelEvent, RadarScan};
+use endless_world::{ImageSize, Incident, LidarSweep, PixelEvent, RadarScan, SceneSettings};
 use pyo3::{
     prelude::*,
     types::{PyBytes, PyDict, PyList},
 };
 use serde::Serialize;
-use serde_json::json;
 use std::sync::Arc;
 
 /// A frame with its images decoded.
@@ -84,13 +83,30 @@ impl ReadyFrame {
     }
 }
 
-/// What stays the same of a video.
+/// What stays the same of a video. Not by way of a `Value`, which makes other digits of single precision than files have.
+#[derive(Serialize)]
+struct VideoJson<'a> {
+    name: &'a str,
+    settings: &'a SceneSettings,
+    spawned: SpawnCounts,
+    incidents: &'a [Incident],
+    actors: Option<&'a [ActorRecord]>,
+    cameras: &'a [CameraRecord],
+    sensors: &'a [SensorRecord],
+    sensor_cameras: &'a [Option<CameraRecord>],
+}
+
 fn video_json(video: &StreamedVideo) -> Vec<u8> {
-    json_of(&json!({
-        "name": video.name, "settings": video.settings, "spawned": video.spawned, "incidents": video.incidents,
-        "actors": video.actors, "cameras": video.cameras, "sensors": video.sensors,
-        "sensor_cameras": video.sensor_cameras,
-    }))
+    json_of(&VideoJson {
+        name: &video.name,
+        settings: &video.settings,
+        spawned: video.spawned,
+        incidents: &video.incidents,
+        actors: video.actors.as_deref(),
+        cameras: &video.cameras,
+        sensors: &video.sensors,
+        sensor_cameras: &video.sensor_cameras,
+    })
 }
 
 fn json_of(value: &impl Serialize) -> Vec<u8> {

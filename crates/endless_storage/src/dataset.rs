@@ -7,7 +7,7 @@ use crate::{
     upload::upload,
     work_folder::{BUILDS, SCENE, WorkFolder, list, remove},
 };
-use endless_dataset::{DatasetError, DatasetLayout, VideoLayout, write_atomic};
+use endless_dataset::{Card, DatasetError, DatasetLayout, VideoLayout, write_atomic};
 use endless_pipeline::{DatasetStore, StoreError, StoredFiles};
 use std::{
     collections::BTreeSet,
@@ -67,6 +67,10 @@ impl RemoteDataset {
     /// Brings what there is of the plan.
     async fn fetch_plan(&self, layout: &DatasetLayout) -> Result<(), StoreError> {
         fetch(&self.bucket, "dataset.json", &layout.manifest()).await?;
+        // The owner of a dataset may have taken over its cards.
+        for name in Card::NAMES {
+            fetch(&self.bucket, name, &layout.root().join(name)).await?;
+        }
         let scenes = self.bucket.list("scenes").await?;
         for path in list(&layout.scenes())? {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -3,6 +3,7 @@
 mod bad_input;
 mod build_identity;
 mod cache;
+mod cluster;
 mod docs;
 mod export;
 mod imported_assets;

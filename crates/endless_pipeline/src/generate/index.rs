@@ -3,7 +3,7 @@
 use super::{begun_video::BegunVideo, output::ResumeRequest};
 use crate::StoreError;
 use endless_dataset::{
-    BuildIdentity, DatasetError, DatasetLayout, Manifest, SharedFiles, VideoEntry, VideoLayout, VideoState,
+    BuildIdentity, Card, DatasetError, DatasetLayout, Manifest, SharedFiles, VideoEntry, VideoLayout, VideoState,
 };
 use endless_world::SceneSettings;
 use std::{
@@ -28,11 +28,13 @@ impl<'a> DatasetIndex<'a> {
         Self { layout, request, files, begun: BTreeMap::new() }
     }
 
-    /// Writes the index of what is there now.
+    /// Writes the index of what is there now, and the cards, which follow from it.
     pub(super) fn update(&mut self) -> Result<(), StoreError> {
         self.look()?;
         loop {
-            self.files.write_json_durable(&self.layout.manifest(), &self.manifest())?;
+            let manifest = self.manifest();
+            Card::write_all(self.layout, &manifest, self.files)?;
+            self.files.write_json_durable(&self.layout.manifest(), &manifest)?;
             self.request.store.put_index(self.layout)?;
             if !self.look()? {
                 return Ok(());

@@ -6,8 +6,8 @@ use crate::{
     record::{Stream, stream_is_complete},
 };
 use endless_dataset::{
-    BuildIdentity, DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, SharedFiles, VideoLayout, read_json,
-    sync_tree,
+    BuildIdentity, Card, DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, SharedFiles, VideoLayout,
+    read_json, sync_tree,
 };
 use endless_world::SceneSettings;
 use std::{collections::BTreeSet, fs, io, path::Path};
@@ -125,7 +125,11 @@ fn refuse_strangers(root: &Path) -> Result<(), GenerateError> {
         let name = name.to_string_lossy();
         let ours = ["scenes", "videos"].contains(&&*name)
             || name.starts_with(".lock")
-            || (name.starts_with(".dataset.json") && name.ends_with(".tmp"));
+            || Card::is_ours(&root.join(&*name))
+            || ["dataset.json"]
+                .iter()
+                .chain(&Card::NAMES)
+                .any(|file| name.starts_with(&format!(".{file}")) && name.ends_with(".tmp"));
         if !ours {
             return Err(GenerateError::OutputInUse { found: name.into_owned(), path: root.to_owned() });
         }

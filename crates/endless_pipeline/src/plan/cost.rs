@@ -1,16 +1,16 @@
 //! What videos cost in proportion to one another, as the plan alone tells it.
 //!
 //! Shares are the same on every machine, so they are not measured there: a unit is one pixel of one frame of a camera. What
-//! else there is was measured at 1280x720 in clear weather (`endless plan`).
+//! else there is was measured at 1280x720 (docs/speed.md).
 
 use endless_world::SceneSettings;
 
 /// Frames of the same size that take as long as the bake of a camera.
-const BAKE_FRAMES: u64 = 20;
-/// Pixels of frames that take as long as a map that is loaded, a town at work from its beginning included.
-pub(super) const MAP_PIXELS: u64 = 15 * 1280 * 720;
+const BAKE_FRAMES: u64 = 60;
+/// Pixels of frames that take as long as the load of a map.
+pub(super) const MAP_PIXELS: u64 = 35 * 1280 * 720;
 /// The same for a scene that is populated.
-const SCENE_PIXELS: u64 = 3 * 1280 * 720;
+const SCENE_PIXELS: u64 = 2 * 1280 * 720;
 /// Pixels of a frame that take as long as a measurement of a sensor that is no camera.
 const MEASUREMENT_PIXELS: u64 = 200_000;
 

@@ -17,6 +17,7 @@ mod labels;
 mod lenses;
 mod live;
 mod objects;
+mod paper;
 mod people_layers;
 mod randomised;
 mod record;

@@ -149,10 +149,30 @@ fn the_plan_alone_can_be_written_and_then_recorded() {
     let options = GenerateOptions { plan_only: true, ..options(1) };
     let planned = generate(&Fake::default(), &recipe, out.path(), &options, &SilentProgress).expect("plans");
     assert_eq!(planned.plan.scenes.len(), 3);
-    assert_eq!(contents(out.path()).len(), 4, "three scenes and the manifest");
+    assert_eq!(contents(out.path()).len(), 6, "three scenes, the manifest and two cards");
     assert_eq!(check(out.path()).expect("a dataset").findings.len(), 3, "three videos are not complete");
     make(&Fake::default(), &recipe, out.path(), 2);
     make(&Fake::default(), &recipe, whole.path(), 2);
+    assert_same(out.path(), whole.path());
+}
+
+#[test]
+fn cards_are_no_strangers_and_a_foreign_readme_is() {
+    let (out, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
+    let recipe = recipe(draft());
+    fs::write(out.path().join("README.md"), "# Notes\n").expect("writable");
+    let error = generate(&Fake::default(), &recipe, out.path(), &options(1), &SilentProgress).expect_err("in use");
+    assert!(error.to_string().contains("README.md"), "{error}");
+    assert_eq!(fs::read_to_string(out.path().join("README.md")).expect("there"), "# Notes\n");
+    for folder in [&out, &whole] {
+        let _ = fs::remove_file(folder.path().join("README.md"));
+        make(&Fake::default(), &recipe, folder.path(), 2);
+    }
+    let card = fs::read_to_string(out.path().join("README.md")).expect("a card");
+    assert!(card.contains("| videos | 3 |"), "{card}");
+    fs::remove_file(out.path().join("dataset.json")).expect("there");
+    fs::write(out.path().join(".croissant.json.tmp"), "{").expect("writable");
+    make(&Fake::default(), &recipe, out.path(), 2);
     assert_same(out.path(), whole.path());
 }
 

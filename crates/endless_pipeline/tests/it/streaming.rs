@@ -7,14 +7,14 @@ use crate::{
 };
 use endless_dataset::{DatasetLayout, FrameFolder, Layer, Recipe, RecipeDraft, RgbFormat, VideoLayout, read_rgb};
 use endless_pipeline::{
-    Measurement, SilentProgress, Simulator, StreamEnd, StreamOptions, StreamOrder, StreamedCamera, StreamedFrame,
-    StreamedSensor, generate, resolve_recipe, stream,
+    Measurement, Shard, SilentProgress, Simulator, StreamEnd, StreamOptions, StreamOrder, StreamedCamera,
+    StreamedFrame, StreamedSensor, generate, resolve_recipe, stream,
 };
 use serde::Serialize;
 use std::{collections::BTreeMap, fs, ops::ControlFlow, path::Path};
 
 fn from_frame(first_frame: u64) -> StreamOptions {
-    StreamOptions { threads: 2, order: StreamOrder::ByMap, first_frame }
+    StreamOptions { threads: 2, first_frame, ..StreamOptions::default() }
 }
 
 /// All frames from one on.
@@ -136,6 +136,23 @@ fn a_stream_begins_at_any_frame_and_loads_nothing_before_it() {
         assert!(frames == whole[whole.len().min(first as usize)..], "from frame {first}");
         assert!(fake.renders.into_inner() as usize == frames.len(), "frames before {first} are not rendered");
     }
+}
+
+#[test]
+fn shards_share_the_frames() {
+    let recipe = recipe(RecipeDraft { videos: Some(5), ..draft() });
+    let whole = streamed(&Fake::default(), &recipe, &from_frame(0));
+    let mut parts = Vec::new();
+    for number in 1..=3 {
+        let shard = Some(Shard::new(number, 3).expect("a shard"));
+        let part = streamed(&Fake::default(), &recipe, &StreamOptions { shard, ..from_frame(0) });
+        assert!(part.iter().map(|frame| frame.index).eq(0..part.len() as u64));
+        parts.extend(part);
+    }
+    let unnumbered = |frames: Vec<StreamedFrame>| {
+        frames.into_iter().map(|frame| StreamedFrame { index: 0, ..frame }).collect::<Vec<_>>()
+    };
+    assert!(unnumbered(parts) == unnumbered(whole));
 }
 
 #[test]
