@@ -129,7 +129,7 @@ impl Problem {
         {
             return Self::BadCredentials(told);
         }
-        // Of listings, libraries tell the status alone.
+        // Of a listing that is refused the library does not tell the kind.
         match (error, status.as_deref()) {
             (object_store::Error::NotFound { .. }, _) | (_, Some("404")) => Self::NoObject,
             (object_store::Error::PermissionDenied { .. }, _) | (_, Some("403")) => Self::NoRights(told),
