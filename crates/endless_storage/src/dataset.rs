@@ -64,11 +64,9 @@ impl RemoteDataset {
         self.work.dataset()
     }
 
-    /// Brings what there is of the plan, and the cards: one that somebody else wrote is kept.
+    /// Brings what there is of the plan.
     async fn fetch_plan(&self, layout: &DatasetLayout) -> Result<(), StoreError> {
-        for name in ["dataset.json"].into_iter().chain(Card::NAMES) {
-            fetch(&self.bucket, name, &layout.root().join(name)).await?;
-        }
+        fetch(&self.bucket, "dataset.json", &layout.manifest()).await?;
         // The owner of a dataset may have taken over its cards.
         for name in Card::NAMES {
             fetch(&self.bucket, name, &layout.root().join(name)).await?;
