@@ -108,8 +108,8 @@ impl Problem {
     pub(crate) fn of(error: &object_store::Error, provider: Provider) -> Self {
         // Looked through for what is known, never told.
         let said = error.to_string();
-        let code = code(&said);
-        let told = code.or_else(|| status(&said)).unwrap_or_else(|| "no reason given".to_owned());
+        let status = status(&said);
+        let told = code(&said).or_else(|| status.clone()).unwrap_or_else(|| "no reason given".to_owned());
         let has = |words: &[&str]| words.iter().any(|word| said.contains(word));
         if has(&["169.254.169.254", "169.254.170.2", "metadata.google.internal"]) {
             return Self::NoCredentials(provider);
@@ -117,7 +117,9 @@ impl Problem {
         if has(&["NoSuchBucket", "ContainerNotFound", "The specified bucket does not exist"]) {
             return Self::NoBucket;
         }
-        if has(&["QuotaExceeded", "quotaExceeded", "InsufficientStorage", "StorageFull", "507 ", "XMinioStorageFull"]) {
+        if has(&["QuotaExceeded", "quotaExceeded", "InsufficientStorage", "StorageFull", "XMinioStorageFull"])
+            || status.as_deref() == Some("507")
+        {
             return Self::Full(told);
         }
         if has(&["AuthorizationHeaderMalformed", "PermanentRedirect", "without LOCATION", "IncorrectEndpoint"]) {
@@ -127,12 +129,14 @@ impl Problem {
         {
             return Self::BadCredentials(told);
         }
-        match error {
-            object_store::Error::NotFound { .. } => Self::NoObject,
-            object_store::Error::PermissionDenied { .. } => Self::NoRights(told),
-            object_store::Error::Unauthenticated { .. } => Self::BadCredentials(told),
-            _ if has(&["SlowDown", "503 ", "429 ", "ServerBusy"]) => Self::Busy(told),
-            _ if status(&said).is_none() && is_transport(error) => Self::Unreachable(innermost(error)),
+        // Of a listing that is refused the library does not tell the kind.
+        match (error, status.as_deref()) {
+            (object_store::Error::NotFound { .. }, _) | (_, Some("404")) => Self::NoObject,
+            (object_store::Error::PermissionDenied { .. }, _) | (_, Some("403")) => Self::NoRights(told),
+            (object_store::Error::Unauthenticated { .. }, _) | (_, Some("401")) => Self::BadCredentials(told),
+            _ if has(&["SlowDown", "ServerBusy"]) => Self::Busy(told),
+            (_, Some("503" | "429")) => Self::Busy(told),
+            (_, None) if is_transport(error) => Self::Unreachable(innermost(error)),
             _ => Self::Other(format!("the server refuses ({told})")),
         }
     }
@@ -193,6 +197,7 @@ mod tests {
             ("400 Bad Request", "AuthorizationHeaderMalformed", Problem::WrongRegion),
             ("503 Service Unavailable", "SlowDown", Problem::Busy("SlowDown".into())),
             ("507 Insufficient Storage", "hunter2 hunter2", Problem::Full("507".into())),
+            ("403 Forbidden", "AccessDenied", Problem::NoRights("AccessDenied".into())),
             ("418 I'm a teapot", "", Problem::Other("the server refuses (418)".into())),
         ];
         for (status, code, wanted) in cases {
