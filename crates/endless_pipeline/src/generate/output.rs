@@ -205,7 +205,7 @@ fn is_whole(video: &VideoLayout, claim: &ResumeRequest<'_>, settings: &SceneSett
         return Ok(false);
     }
     for stream in Stream::all(claim.recipe, settings, video) {
-        if !stream_is_complete(&stream, &is_there) {
+        if !stream_is_complete(&stream, is_there) {
             return Ok(false);
         }
     }
