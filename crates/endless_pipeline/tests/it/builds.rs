@@ -1,7 +1,7 @@
 //! A dataset is gone on with by the build that began it, or by another on request, and says who was at work.
 
 use crate::fake::{Fake, build, contents, draft, make, options, recipe};
-use endless_dataset::{BuildIdentity, DatasetError, DatasetLayout, Manifest, RecipeDraft, check};
+use endless_dataset::{BuildIdentity, Card, DatasetError, DatasetLayout, Manifest, RecipeDraft, check};
 use endless_pipeline::{GenerateError, GenerateOptions, Progress, ProgressEvent, SilentProgress, generate};
 use std::{fs, path::Path};
 
@@ -126,6 +126,9 @@ fn a_video_that_does_not_say_who_made_it_is_of_an_unknown_build() {
     assert!(manifest.videos.iter().all(|video| video.builds == [0]));
     assert_eq!(check(out.path()).expect("a dataset").findings.len(), 2, "both videos lack it");
     fs::copy(DatasetLayout::new(whole.path()).manifest(), &path).expect("copies");
+    for card in Card::NAMES {
+        fs::copy(whole.path().join(card), out.path().join(card)).expect("copies");
+    }
     for name in &videos {
         let (theirs, mine) = (DatasetLayout::new(whole.path()), &layout);
         fs::copy(theirs.video_named(name).builds(), mine.video_named(name).builds()).expect("copies");
