@@ -5,7 +5,7 @@ use crate::Shard;
 /// In which order videos are made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StreamOrder {
-    /// Those of a map one after the other, as [`Plan::work_order`] has them: each map is loaded once.
+    /// Those of a map one after the other, as [`Plan::work_order`](crate::Plan::work_order) has them: each map is loaded once.
     #[default]
     ByMap,
     /// By their numbers: maps come as they are drawn, and are loaded again and again.
