@@ -1,14 +1,17 @@
 //! Write to a temporary name, then rename: what bears its final name is whole, whenever the process is killed. What must
 //! outlive a power failure, too, is made durable: see [`crate::sync_tree`].
 
-use crate::{DatasetError, durable::sync_folder, listing::list};
+use crate::{
+    DatasetError,
+    durable::sync_folder,
+    listing::list,
+    temporary::{is_temporary, temporary_name},
+};
 use std::{
     fs::{self, File},
     io::{BufWriter, Write},
     path::{Path, PathBuf},
 };
-
-const SUFFIX: &str = ".tmp";
 
 /// A file that gets its name when it is finished, and vanishes when it is dropped before.
 #[derive(Debug)]
@@ -34,7 +37,7 @@ impl AtomicFile {
 
     fn create_named(final_path: &Path, addition: &str) -> Result<Self, DatasetError> {
         let name = final_path.file_name().unwrap_or_default().to_string_lossy();
-        let temporary = final_path.with_file_name(format!(".{name}{addition}{SUFFIX}"));
+        let temporary = final_path.with_file_name(temporary_name(&format!("{name}{addition}")));
         let file = File::create(&temporary).map_err(|e| DatasetError::io("cannot write", final_path, e))?;
         let writer = Some(BufWriter::with_capacity(1 << 16, file));
         Ok(Self { final_path: final_path.to_owned(), temporary, writer })
@@ -125,12 +128,6 @@ pub fn remove_temporaries(folder: &Path) -> Result<(), DatasetError> {
         }
     }
     Ok(())
-}
-
-/// Whether this is the name of a file that is being written.
-pub(crate) fn is_temporary(path: &Path) -> bool {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    name.starts_with('.') && name.ends_with(SUFFIX)
 }
 
 #[cfg(test)]

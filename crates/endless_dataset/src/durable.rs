@@ -4,18 +4,19 @@
 //! would make every frame as slow as the disk; so a video's files are written as the system likes it, and all of them
 //! are waited for at its end, before anything says that it is complete.
 
-use crate::{DatasetError, listing::list};
+use crate::{DatasetError, listing::list, temporary::is_temporary};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::{fs::File, io, path::Path};
 
 /// Waits until all files and folders below a folder, and their names, are on the disk. Many files at a time: the disk
-/// takes them in fewer strokes.
+/// takes them in fewer strokes. Files that others are still writing are theirs to wait for.
 ///
 /// # Errors
 /// When one of them cannot be read, or the disk refuses.
 pub fn sync_tree(folder: &Path) -> Result<(), DatasetError> {
     list(folder)?
         .into_par_iter()
+        .filter(|path| !is_temporary(path))
         .try_for_each(|path| if path.is_dir() { sync_tree(&path) } else { sync_file(&path) })?;
     sync_folder(folder)
 }
@@ -52,6 +53,10 @@ mod tests {
         fs::create_dir_all(folder.path().join("camera_a/rgb")).expect("writable");
         fs::write(folder.path().join("camera_a/rgb/000000.png"), "x").expect("writable");
         sync_tree(folder.path()).expect("all is there");
+        // Another process is about to rename it: here, a link to what is there no more.
+        #[cfg(unix)]
+        std::os::unix::fs::symlink("gone", folder.path().join(".0001.json@2-of-8.tmp")).expect("writable");
+        sync_tree(folder.path()).expect("it is not ours");
         let missing = sync_file(&folder.path().join("000001.png")).expect_err("not there");
         assert!(missing.to_string().ends_with("000001.png"), "{missing}");
         assert!(sync_folder(&folder.path().join("camera_b")).is_err());

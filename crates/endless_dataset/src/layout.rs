@@ -2,9 +2,9 @@
 
 use crate::{
     DatasetError, Layer, MAX_CAMERAS, RgbFormat,
-    atomic::is_temporary,
     durable::{sync_folder, sync_tree},
     listing::list,
+    temporary::is_temporary,
 };
 use endless_world::SceneSettings;
 use std::{

@@ -60,6 +60,7 @@ mod sensor_files;
 mod sensor_record;
 mod shared_files;
 mod stored_image;
+mod temporary;
 mod video;
 mod video_builds;
 

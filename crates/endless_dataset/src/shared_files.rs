@@ -1,6 +1,6 @@
 //! Files that several processes write, each the same or a newer one.
 
-use crate::{AtomicFile, DatasetError, atomic::is_temporary, listing::list, scene_record::json_text};
+use crate::{AtomicFile, DatasetError, listing::list, scene_record::json_text, temporary::is_temporary};
 use serde::Serialize;
 use std::{fs, path::Path};
 

@@ -1,7 +1,7 @@
 //! Files that do not belong to a dataset.
 
 use super::report::Finding;
-use crate::{atomic::is_temporary, listing::list};
+use crate::{listing::list, temporary::is_temporary};
 use std::{
     collections::BTreeSet,
     path::{Path, PathBuf},
