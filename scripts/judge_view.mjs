@@ -111,6 +111,9 @@ async function judgeList(page, url, manifest) {
   await shot(page, "list");
   const wants = async (what, test) => {
     const wanted = manifest.videos.filter(test).length;
+    // The page draws its list a moment after a key.
+    const there = (count) => document.querySelectorAll(".card").length === count;
+    await page.waitForFunction(there, wanted, { timeout: 5000 }).catch(() => {});
     check(await cards() === wanted, `${what}: ${await cards()} cards instead of ${wanted}`);
   };
   const { map, weather } = manifest.videos[0];

@@ -1,8 +1,8 @@
 //! Datasets in object storage: S3, Google Cloud Storage, Azure.
 //!
-//! A [`DatasetAddress`] is a folder or a place in a bucket. [`RemoteDataset`] keeps the dataset of
+//! A [`DatasetAddress`] is a folder or a place in a bucket. `RemoteDataset` keeps the dataset of
 //! `endless_pipeline::generate_into` there: each video is recorded in a folder of work and moves to the
-//! bucket when it is complete, while the next one is recorded. [`RemoteReader`] brings a dataset back, a video at a time.
+//! bucket when it is complete, while the next one is recorded. `RemoteReader` brings a dataset back, a video at a time.
 //! Without the feature `cloud` there are addresses alone.
 
 mod address;
