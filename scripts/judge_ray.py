@@ -82,7 +82,11 @@ def judge_errors(recipe: dict, folder: pathlib.Path) -> None:
 
 
 def judge_interrupt(address: str, recipe: dict, folder: pathlib.Path) -> None:
-    program = f"import ray, endless_city.ray as r; ray.init(address={address!r}); r.generate({recipe!r}, {str(folder)!r})"
+    # Programs that a shell runs in its background ignore it.
+    program = (
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler);"
+        f"import ray, endless_city.ray as r; ray.init(address={address!r}); r.generate({recipe!r}, {str(folder)!r})"
+    )
     run = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     while not list(folder.glob("videos/*/builds.json")):
         assert run.poll() is None, run.stderr.read()

@@ -76,7 +76,9 @@ def test_a_file_of_options_is_read(tmp_path: Path) -> None:
 
 
 CHILD = """
-import sys, endless_city
+import signal, sys, endless_city
+# Programs that a shell runs in its background ignore it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 print("ready", flush=True)
 try:
     endless_city.generate(sys.argv[1], videos=2, maps="Town01", size=(320, 180), fps=10, duration=60, mp4="none", seed=1)
