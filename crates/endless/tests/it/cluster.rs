@@ -16,7 +16,7 @@ fn with_recipe() -> tempfile::TempDir {
 
 /// Without the folder of this test.
 fn plain(folder: &Path, text: &str) -> String {
-    text.replace(&folder.display().to_string(), "/work")
+    text.replace(&folder.display().to_string(), "/shared")
 }
 
 #[test]
