@@ -39,9 +39,9 @@ impl DatasetLayout {
         self.root.join(".lock")
     }
 
-    /// The lock of one part of several, `.lock-3-of-8`.
-    pub fn shard_lock(&self, number: u32, of: u32) -> PathBuf {
-        self.root.join(format!(".lock-{number}-of-{of}"))
+    /// The lock of one part of several, of `3-of-8` `.lock-3-of-8`.
+    pub fn shard_lock(&self, shard: &str) -> PathBuf {
+        self.root.join(format!(".lock-{shard}"))
     }
 
     /// The lock of whoever takes or leaves one of the other locks, for that moment.

@@ -11,7 +11,7 @@ use crate::{
     DatasetStore, FolderStore, GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Shard, Simulator,
     SimulatorError, StageTimes,
     measurements::measurements,
-    record::{Recording, Stage, StageClock, Stream, record_video},
+    record::{Recording, Stage, StageClock, Stream, record_video, worker_pool},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SharedFiles, VideoLayout};
 use endless_world::SceneSettings;
@@ -81,9 +81,7 @@ pub fn generate_into<S: Simulator>(
     options: &GenerateOptions,
     progress: &dyn Progress,
 ) -> Result<Generated, GenerateError> {
-    let waiting = usize::from(simulator.capabilities().waits);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1) + waiting).build()?;
-    // Whatever works side by side, loading and baking too, finds this pool around it.
+    let pool = worker_pool(simulator, options.threads)?;
     pool.install(|| generate_in(&pool, simulator, recipe, root, store, options, progress))
 }
 
@@ -191,13 +189,12 @@ fn generate_in<S: Simulator>(
 
 /// How the files are written that all shards write.
 fn shared_files(shard: Option<Shard>) -> SharedFiles {
-    shard.map_or_else(SharedFiles::alone, |shard| SharedFiles::of(format!("{}-of-{}", shard.number(), shard.of())))
+    shard.map_or_else(SharedFiles::alone, |shard| SharedFiles::of(shard.file_name()))
 }
 
 /// Whether a writer of temporary files may be at work beside this shard: one of as many shards.
 fn is_of_same_shards(writer: &str, shard: Option<Shard>) -> bool {
-    let of = writer.split_once("-of-").map(|(_, of)| of);
-    shard.is_some_and(|shard| of == Some(shard.of().to_string().as_str()))
+    shard.zip(Shard::from_file_name(writer)).is_some_and(|(shard, other)| shard.of() == other.of())
 }
 
 /// The state that all videos of a run share.

@@ -36,6 +36,6 @@ pub(crate) use {
     streams::{CameraStream, Stream, StreamModel, sensor_seed},
     times::{Stage, StageClock},
     vehicle_sensors::Noticed,
-    video::{camera_record, record_video, report_fewer, wanted_layers},
-    workers::{FrameOutput, Observed, Observers, run_workers},
+    video::{OpenedSession, camera_record, open_session, prepare_session, record_video},
+    workers::{FrameOutput, Observed, Observers, run_workers, worker_pool},
 };

@@ -28,6 +28,17 @@ impl Shard {
         self.of
     }
 
+    /// As it stands in names of files: `3-of-8`.
+    pub(crate) fn file_name(self) -> String {
+        format!("{}-of-{}", self.number, self.of)
+    }
+
+    /// The part that a name of a file tells.
+    pub(crate) fn from_file_name(name: &str) -> Option<Self> {
+        let (number, of) = name.split_once("-of-")?;
+        Self::new(number.parse().ok()?, of.parse().ok()?)
+    }
+
     /// All parts of so many.
     pub fn all(of: u32) -> impl Iterator<Item = Self> {
         (1..=of.min(Self::MAX)).map(move |number| Self { number, of })
@@ -63,12 +74,13 @@ mod tests {
         fn what_is_written_is_read(number in 1u32..200, more in 0u32..200) {
             let shard = Shard::new(number, number + more).expect("there is one");
             prop_assert_eq!(shard.to_string().parse(), Ok(shard));
+            prop_assert_eq!(Shard::from_file_name(&shard.file_name()), Some(shard));
             prop_assert_eq!((shard.number(), shard.of()), (number, number + more));
         }
 
         #[test]
         fn no_text_panics(text in "\\PC*") {
-            let _ = text.parse::<Shard>();
+            let _ = (text.parse::<Shard>(), Shard::from_file_name(&text));
         }
     }
 

@@ -15,7 +15,10 @@ mod video;
 pub use frame::{Measurement, StreamedCamera, StreamedFrame, StreamedSensor, StreamedVideo};
 pub use options::{StreamEnd, StreamOptions, StreamOrder};
 
-use crate::{GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator, record::StageClock};
+use crate::{
+    GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator,
+    record::{StageClock, worker_pool},
+};
 use endless_dataset::Recipe;
 use endless_world::SceneSettings;
 use std::ops::ControlFlow;
@@ -33,8 +36,7 @@ pub fn stream<S: Simulator>(
     progress: &dyn Progress,
     take: &mut (dyn FnMut(StreamedFrame) -> ControlFlow<()> + Send),
 ) -> Result<StreamEnd, GenerateError> {
-    let waiting = usize::from(simulator.capabilities().waits);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1) + waiting).build()?;
+    let pool = worker_pool(simulator, options.threads)?;
     pool.install(|| stream_in(&pool, simulator, recipe, options, progress, take))
 }
 

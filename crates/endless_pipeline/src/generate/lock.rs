@@ -50,7 +50,7 @@ impl DatasetLock {
                     return Err(LockError::OtherShards(other.of()));
                 }
             }
-            let taken = LockFile::take(&layout.shard_lock(shard.number(), shard.of()), Sharing::Exclusive);
+            let taken = LockFile::take(&layout.shard_lock(&shard.file_name()), Sharing::Exclusive);
             own = Some(taken.map_err(|failure| match failure {
                 LockFailure::Held => LockError::SameShard(shard),
                 other => other.into(),
@@ -142,10 +142,7 @@ fn shard_locks(layout: &DatasetLayout) -> Result<Vec<(PathBuf, Shard)>, LockErro
     for entry in fs::read_dir(layout.root()).map_err(failed)? {
         let path = entry.map_err(failed)?.path();
         let name = path.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_prefix(".lock-"));
-        let shard = name
-            .and_then(|name| name.split_once("-of-"))
-            .and_then(|(number, of)| format!("{number}/{of}").parse().ok());
-        locks.extend(shard.map(|shard| (path, shard)));
+        locks.extend(name.and_then(Shard::from_file_name).map(|shard| (path, shard)));
     }
     Ok(locks)
 }
@@ -205,7 +202,7 @@ mod tests {
         assert!(matches!(take(1, 3), Err(GenerateError::Locked { .. })));
         drop(whole);
         // A file of a process that was killed keeps nobody out.
-        fs::write(layout.shard_lock(2, 5), "").expect("writable");
+        fs::write(layout.shard_lock("2-of-5"), "").expect("writable");
         drop(take(1, 3).expect("free"));
         assert_eq!(files(&layout), 0);
     }

@@ -7,7 +7,7 @@ use super::{
     stored::{StoredFrames, remove_stored},
     streams::{CameraStream, Stream, StreamLens, StreamModel},
     times::Stage,
-    workers::{Observers, run_workers},
+    workers::{BoxedSession, Observers, run_workers},
 };
 use crate::{GenerateError, ProgressEvent, Simulator};
 use endless_annotate::{CameraMap, MapFeatures};
@@ -15,7 +15,7 @@ use endless_dataset::{
     CameraRecord, DatasetError, Layer, SceneRecord, SensorRecord, SpawnCounts, remove_temporaries, write_actors,
     write_json, write_json_durable, write_json_line,
 };
-use endless_world::{SceneCamera, SceneSensor, SensorLayers};
+use endless_world::{SceneCamera, SceneSensor, SensorLayers, StagedIncidents};
 use std::{
     fs,
     sync::{Mutex, PoisonError},
@@ -34,13 +34,7 @@ pub(crate) fn record_video<S: Simulator>(
         remove_stored(recording)?;
     }
     prepare_folders(recording, simulator.map_features(map))?;
-    let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings, wanted_layers(streams)))?;
-    let spawned = session.spawned();
-    report_fewer(recording, &spawned);
-    let staged = session.incidents();
-    for &kind in &staged.missed {
-        recording.progress.event(&ProgressEvent::EventMissed { kind, map: &settings.map });
-    }
+    let OpenedSession { mut session, spawned, staged } = open_session(simulator, map, recording)?;
     let actors = session.actors();
     if let Some(actors) = &actors {
         write_actors(&layout.actors(), actors)?;
@@ -53,10 +47,7 @@ pub(crate) fn record_video<S: Simulator>(
 
     let stored = StoredFrames::find(recording)?;
     if !stored.is_complete() {
-        // Before the workers start, so that it has all threads.
-        let start = Instant::now();
-        clock.time(Stage::Bake, || session.prepare())?;
-        recording.progress.event(&ProgressEvent::Baked { seconds: start.elapsed().as_secs_f64() });
+        prepare_session(recording, &mut session)?;
     }
     let sinks = streams
         .iter()
@@ -90,8 +81,41 @@ pub(crate) fn record_video<S: Simulator>(
     Ok(record)
 }
 
+/// A session whose scene is populated.
+pub(crate) struct OpenedSession<'m> {
+    pub(crate) session: BoxedSession<'m>,
+    pub(crate) spawned: SpawnCounts,
+    pub(crate) staged: StagedIncidents,
+}
+
+/// Opens the session of a video, and tells what of it could not be had.
+pub(crate) fn open_session<'m, S: Simulator>(
+    simulator: &'m S,
+    map: &'m S::Map,
+    recording: &Recording<'m>,
+) -> Result<OpenedSession<'m>, GenerateError> {
+    let Recording { settings, streams, clock, progress, .. } = *recording;
+    let open = || simulator.open_session(map, settings, wanted_layers(streams));
+    let session = clock.time(Stage::LoadScene, open)?;
+    let spawned = session.spawned();
+    report_fewer(recording, &spawned);
+    let staged = session.incidents();
+    for &kind in &staged.missed {
+        progress.event(&ProgressEvent::EventMissed { kind, map: &settings.map });
+    }
+    Ok(OpenedSession { session, spawned, staged })
+}
+
+/// Prepares a session before the workers start, so that it has all threads.
+pub(crate) fn prepare_session(recording: &Recording<'_>, session: &mut BoxedSession<'_>) -> Result<(), GenerateError> {
+    let start = Instant::now();
+    recording.clock.time(Stage::Bake, || session.prepare())?;
+    recording.progress.event(&ProgressEvent::Baked { seconds: start.elapsed().as_secs_f64() });
+    Ok(())
+}
+
 /// The images that any camera stores.
-pub(crate) fn wanted_layers(streams: &[Stream<'_>]) -> SensorLayers {
+fn wanted_layers(streams: &[Stream<'_>]) -> SensorLayers {
     let stored = streams.iter().filter_map(|stream| match &stream.model {
         StreamModel::Camera(camera) => Some(&camera.output.layers),
         _ => None,
@@ -142,7 +166,7 @@ pub(crate) fn camera_record(
     }
 }
 
-pub(crate) fn report_fewer(recording: &Recording<'_>, spawned: &SpawnCounts) {
+fn report_fewer(recording: &Recording<'_>, spawned: &SpawnCounts) {
     let settings = recording.settings;
     let asked = [("vehicles", settings.vehicles, spawned.vehicles)];
     let walkers = [("pedestrians", settings.pedestrians, spawned.pedestrians)];

@@ -14,6 +14,15 @@ use std::sync::{Barrier, Mutex, PoisonError};
 
 pub(crate) type BoxedSession<'m> = Box<dyn SimulationSession<'m> + 'm>;
 
+/// The threads of a run. Whatever works side by side, loading and baking too, finds this pool around it.
+pub(crate) fn worker_pool(
+    simulator: &impl Simulator,
+    threads: usize,
+) -> Result<rayon::ThreadPool, rayon::ThreadPoolBuildError> {
+    let waiting = usize::from(simulator.capabilities().waits);
+    rayon::ThreadPoolBuilder::new().num_threads(threads.max(1) + waiting).build()
+}
+
 /// Where the frames of a video go.
 pub(crate) trait FrameOutput<'m>: Sync {
     /// A frame, with all that the simulator says of it.

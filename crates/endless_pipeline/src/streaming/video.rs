@@ -3,14 +3,15 @@
 use super::{StreamEnd, StreamedFrame, StreamedVideo, handover::Handover};
 use crate::{
     GenerateError, Progress, ProgressEvent, Simulator,
+    measurements::measurements_from,
     record::{
-        Observers, Recording, Stage, StageClock, Stream, StreamModel, camera_record, report_fewer, run_workers,
-        wanted_layers,
+        Observers, OpenedSession, Recording, StageClock, Stream, StreamModel, camera_record, open_session,
+        prepare_session, run_workers,
     },
 };
 use endless_dataset::{CameraRecord, DatasetLayout, Recipe, SensorRecord, VideoLayout};
 use endless_world::SceneSettings;
-use std::{ops::ControlFlow, sync::Arc, time::Instant};
+use std::{ops::ControlFlow, sync::Arc};
 
 /// A video and what it is made with.
 pub(super) struct VideoStream<'a> {
@@ -40,19 +41,10 @@ pub(super) fn stream_video<S: Simulator>(
     let streams = Stream::all(recipe, settings, &layout);
     let recording = Recording { settings, recipe, layout: &layout, streams: &streams, pool, progress, clock };
     let name = VideoLayout::name(settings);
-    let camera_frames = u64::from(settings.frames - first) * settings.cameras.len() as u64;
+    let camera_frames = measurements_from(settings, first);
     progress.event(&ProgressEvent::Video { name: &name, place, of, camera_frames });
-    let open = || simulator.open_session(map, settings, wanted_layers(&streams));
-    let mut session = clock.time(Stage::LoadScene, open)?;
-    let spawned = session.spawned();
-    report_fewer(&recording, &spawned);
-    let staged = session.incidents();
-    for &kind in &staged.missed {
-        progress.event(&ProgressEvent::EventMissed { kind, map: &settings.map });
-    }
-    let start = Instant::now();
-    clock.time(Stage::Bake, || session.prepare())?;
-    progress.event(&ProgressEvent::Baked { seconds: start.elapsed().as_secs_f64() });
+    let OpenedSession { mut session, spawned, staged } = open_session(simulator, map, &recording)?;
+    prepare_session(&recording, &mut session)?;
     let features = simulator.map_features(map);
     let record = |place: usize, stream: &Stream<'_>| -> Option<CameraRecord> {
         let StreamModel::Camera(camera) = &stream.model else { return None };

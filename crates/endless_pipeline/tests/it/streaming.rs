@@ -7,11 +7,17 @@ use crate::{
 };
 use endless_dataset::{DatasetLayout, FrameFolder, Layer, Recipe, RecipeDraft, RgbFormat, VideoLayout, read_rgb};
 use endless_pipeline::{
-    Measurement, Shard, SilentProgress, Simulator, StreamEnd, StreamOptions, StreamOrder, StreamedCamera,
-    StreamedFrame, StreamedSensor, generate, resolve_recipe, stream,
+    Measurement, Progress, ProgressEvent, Shard, SilentProgress, Simulator, StreamEnd, StreamOptions, StreamOrder,
+    StreamedCamera, StreamedFrame, StreamedSensor, generate, resolve_recipe, stream,
 };
 use serde::Serialize;
-use std::{collections::BTreeMap, fs, ops::ControlFlow, path::Path};
+use std::{
+    collections::BTreeMap,
+    fs,
+    ops::ControlFlow,
+    path::Path,
+    sync::atomic::{AtomicU64, Ordering},
+};
 
 fn from_frame(first_frame: u64) -> StreamOptions {
     StreamOptions { threads: 2, first_frame, ..StreamOptions::default() }
@@ -174,6 +180,34 @@ fn simulators_elsewhere_give_their_frames_in_order() {
     let recipe = resolve_recipe(draft(), &LiveFake::default()).expect("a recipe");
     let frames = streamed(&LiveFake::default(), &recipe, &from_frame(0));
     assert!(frames.iter().map(|frame| frame.index).eq(0..60) && frames.iter().all(|frame| frame.cameras.len() == 2));
+}
+
+/// What was announced, and what came.
+#[derive(Default)]
+struct Counted {
+    announced: AtomicU64,
+    came: AtomicU64,
+}
+
+impl Progress for Counted {
+    fn event(&self, event: &ProgressEvent<'_>) {
+        match event {
+            ProgressEvent::Video { camera_frames, .. } => self.announced.fetch_add(*camera_frames, Ordering::Relaxed),
+            ProgressEvent::Frame { cameras, .. } => self.came.fetch_add(u64::from(*cameras), Ordering::Relaxed),
+            _ => 0,
+        };
+    }
+}
+
+#[test]
+fn as_much_comes_as_is_announced() {
+    let recipe = resolve_recipe(rig::draft(rig::everything()), city()).expect("a recipe");
+    for first_frame in [0, 5] {
+        let counted = Counted::default();
+        let end = stream(city(), &recipe, &from_frame(first_frame), &counted, &mut |_| ControlFlow::Continue(()));
+        assert_eq!(end.expect("a stream"), StreamEnd::Complete);
+        assert_eq!(counted.announced.into_inner(), counted.came.into_inner(), "from frame {first_frame}");
+    }
 }
 
 #[test]
