@@ -24,6 +24,8 @@ import time
 import boto3
 import botocore.config
 
+from folder_bytes import folder_bytes
+
 SECRET = "wJalrXUtnFEMIK7MDENGbPxRfiCYEXAMPLESECRET"
 KEY = "AKIAHIDDENEXAMPLE"
 RECIPE = ["--videos", "8", "--size", "64x36", "--fps", "5", "--duration", "1", "--seed", "5", "--min-pixels", "5",
@@ -38,16 +40,6 @@ def recipe(*flags):
     return [word for pair in changed.items() for word in pair]
 
 
-def files(root):
-    found = {}
-    for folder, _, names in os.walk(root):
-        for name in names:
-            path = os.path.join(folder, name)
-            with open(path, "rb") as file:
-                found[os.path.relpath(path, root)] = file.read()
-    return found
-
-
 class Judge:
     def __init__(self, endless, work):
         self.endless, self.work = endless, work
@@ -58,7 +50,7 @@ class Judge:
         begin = time.monotonic()
         self.run([self.local, *RECIPE])
         self.local_seconds = time.monotonic() - begin
-        self.wanted = files(self.local)
+        self.wanted = folder_bytes(self.local)
 
     def start_server(self, **settings):
         """An empty server."""
@@ -231,7 +223,7 @@ def judge_all(judge, kills):
     seconds = time.monotonic() - begin
     judge.assert_same("whole", "a/b")
     print(f"{len(judge.wanted)} files the same; {seconds:.1f} s to the bucket, {judge.local_seconds:.1f} s to a folder")
-    left = files(os.path.join(judge.work, "cache"))
+    left = folder_bytes(os.path.join(judge.work, "cache"))
     assert not left, f"left behind: {list(left)[:5]}"
     assert "nothing to do" in judge.run(["s3://whole/a/b", *RECIPE])
     said = judge.run(["s3://whole/a/b"], "check")
@@ -327,7 +319,7 @@ def judge_all(judge, kills):
     begin = time.monotonic()
     judge.run(["s3://speed/a", *pictures])
     there = time.monotonic() - begin
-    made = files(folder)
+    made = folder_bytes(folder)
     images = sum(name.endswith(".png") for name in made)
     megabytes = sum(map(len, made.values())) / 1e6
     print(json.dumps({"images": images, "MB": round(megabytes, 1), "seconds to a folder": round(local, 1),

@@ -14,17 +14,9 @@ import sys
 import tempfile
 import time
 
+from folder_bytes import folder_bytes
+
 ARGUMENTS = ["--videos", "16", "--size", "161x91", "--fps", "10", "--seed", "3", "--cameras-per-scene", "1", "--threads", "1"]
-
-
-def files(root: str) -> dict[str, bytes]:
-    found = {}
-    for folder, _, names in os.walk(root):
-        for name in names:
-            path = os.path.join(folder, name)
-            with open(path, "rb") as file:
-                found[os.path.relpath(path, root)] = file.read()
-    return found
 
 
 def main() -> None:
@@ -56,7 +48,7 @@ def main() -> None:
                 running[shard] = start(shard)
         subprocess.run([program, "check", "out", "--shards", str(shards)], cwd=work, check=True)
         subprocess.run([program, "generate", "whole", *arguments], cwd=work, check=True, stderr=subprocess.DEVNULL)
-        by_shards, whole = files(os.path.join(work, "out")), files(os.path.join(work, "whole"))
+        by_shards, whole = folder_bytes(os.path.join(work, "out")), folder_bytes(os.path.join(work, "whole"))
         assert by_shards.keys() == whole.keys(), sorted(by_shards.keys() ^ whole.keys())
         differ = [name for name in whole if whole[name] != by_shards[name]]
         assert not differ, differ

@@ -4,6 +4,7 @@ mod bad_input;
 mod build_identity;
 mod cache;
 mod cluster;
+mod contents;
 mod docs;
 mod export;
 mod imported_assets;

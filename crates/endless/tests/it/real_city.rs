@@ -1,6 +1,7 @@
 //! The program itself on the built-in city, small: a rainy night, so that lamps, wet mirrors, head lights and rain all
 //! take part. Threads, kills and extension do not change a byte.
 
+use crate::contents::contents;
 use std::{
     collections::BTreeMap,
     fs,
@@ -28,24 +29,6 @@ fn generate(out: &Path, videos: u32, threads: u32) -> Command {
 fn succeed(mut command: Command) {
     let output = command.stderr(Stdio::piped()).output().expect("starts");
     assert!(output.status.success(), "{command:?}: {}", String::from_utf8_lossy(&output.stderr));
-}
-
-/// Every file and its bytes.
-fn contents(root: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut files = BTreeMap::new();
-    let mut folders = vec![root.to_owned()];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else {
-                let name = path.strip_prefix(root).expect("below").to_string_lossy().into_owned();
-                files.insert(name, fs::read(&path).expect("a file"));
-            }
-        }
-    }
-    files
 }
 
 /// Names that are missing, added or other, not megabytes of bytes.

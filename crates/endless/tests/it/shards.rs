@@ -1,8 +1,10 @@
 //! `--shard`: processes that know nothing of one another make one dataset.
 
-use crate::program::{endless, refused, succeed};
+use crate::{
+    contents::contents,
+    program::{endless, refused, succeed},
+};
 use std::{
-    collections::BTreeMap,
     fs,
     path::Path,
     process::{Child, Command, Stdio},
@@ -18,26 +20,8 @@ fn start(folder: &Path, shard: &str) -> Child {
     command.current_dir(folder).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("starts")
 }
 
-/// Every file and its bytes.
-fn contents(root: &Path, folder: &Path, files: &mut BTreeMap<String, Vec<u8>>) {
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            contents(root, &path, files);
-        } else {
-            let name = path.strip_prefix(root).expect("below").to_string_lossy().into_owned();
-            files.insert(name, fs::read(&path).expect("a file"));
-        }
-    }
-}
-
 fn assert_same(a: &Path, b: &Path) {
-    let of = |root: &Path| {
-        let mut files = BTreeMap::new();
-        contents(root, root, &mut files);
-        files
-    };
-    let (a, b) = (of(a), of(b));
+    let (a, b) = (contents(a), contents(b));
     assert_eq!(a.keys().collect::<Vec<_>>(), b.keys().collect::<Vec<_>>(), "the same files");
     let differ: Vec<&String> = a.keys().filter(|name| a[*name] != b[*name]).collect();
     assert!(differ.is_empty(), "these files differ: {differ:?}");
