@@ -119,7 +119,7 @@ impl JunctionController {
             let comes_first = sign_allows(roads, request)
                 && !occupancy.crosses_claimed(roads, &request.lanes)
                 && is_next(roads, occupancy, vehicles, request.vehicle, request.junction, request.distance);
-            let moves_on = gridlocked.binary_search(&k).is_ok();
+            let moves_on = gridlocked.binary_search(&k).is_ok() || is_waited_for(roads, occupancy, vehicles, request);
             if comes_first && !moves_on && !self.has_exit_space(roads, occupancy, vehicles, &requests, request) {
                 if (request.waited_s / DETOUR_S).floor() > ((request.waited_s - step_s) / DETOUR_S).floor().max(0.0) {
                     take_another_way(roads, &mut vehicles[request.vehicle], request.lanes[0]);
@@ -314,6 +314,24 @@ fn ahead_goes_first(roads: &Roads, vehicles: &mut [Vehicle], junction: JunctionI
             held.into_iter().for_each(|g| g.order = order);
         }
     }
+}
+
+/// Whether the last one on the road beyond a junction waits for somebody whose rear still stands in the junction before, as on a piece
+/// of road that is too short for it, and who waits for room there.
+fn is_waited_for(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
+    let me = &vehicles[request.vehicle];
+    let last = || occupancy.on(request.exit).iter().min_by(|a, b| a.rear.total_cmp(&b.rear));
+    let waits_for_me = |them: &Vehicle| {
+        me.rights_of_way.iter().filter(|mine| mine.entered && mine.junction != request.junction).any(|mine| {
+            let theirs = them.right_of_way_at(mine.junction).filter(|theirs| theirs.order > mine.order);
+            let meets = |&lane: &LaneId| {
+                let mut conflicts = roads.table(lane).conflicts(me.long() || them.long()).iter();
+                conflicts.any(|conflict| mine.lanes.contains(&conflict.other))
+            };
+            theirs.is_some_and(|theirs| theirs.lanes.iter().any(meets))
+        })
+    };
+    request.waited_s > CHANCE_S && last().and_then(|last| vehicles.get(last.vehicle)).is_some_and(waits_for_me)
 }
 
 /// Whether nobody stands where a long vehicle sweeps that turns on these lanes: who has had the right of way and lost it may

@@ -119,6 +119,25 @@ fn who_stands_behind_one_who_got_the_right_of_way_later_is_shut_in() {
     assert!(shut_in(SHUT_IN_S + 1.0, [3, 1], in_the_way_m), "who goes first anyway");
 }
 
+#[test]
+fn who_is_waited_for_by_the_last_one_beyond_a_junction_moves_on_without_room() {
+    let roads = streets();
+    // One before the second junction, whose rear still stands in another one, and the last one on the road beyond, which would
+    // have to pass there, too.
+    let moves_on = |waited_s: f64, theirs: u64| {
+        let mut vehicles = [stands(&roads, 0, 1.0), stands(&roads, 2, 20.0)];
+        vehicles[0].rights_of_way.push(RightOfWay { entered: true, ..right_of_way(1, 2, 3, 4, 0.0) });
+        vehicles[1].rights_of_way.push(right_of_way(1, theirs, 8, 9, 0.0));
+        let occupancy = occupied(&roads, &vehicles);
+        let signals = [SignalState { aspect: SignalAspect::Green }];
+        let request = request(&roads, &signals, &vehicles[0], 0).expect("before a junction");
+        is_waited_for(&roads, &occupancy, &vehicles, &EntryRequest { waited_s, ..request })
+    };
+    assert!(moves_on(CHANCE_S + 1.0, 3));
+    assert!(!moves_on(CHANCE_S - 1.0, 3), "not for long");
+    assert!(!moves_on(CHANCE_S + 1.0, 1), "they go first");
+}
+
 /// A queue on the short piece, and one before it who has waited so long for room there; the first of it has just come to the line,
 /// where one from the other street has waited longer for the room beyond, which is enough for one.
 fn behind_a_short_piece(roads: &Roads, behind_s: f64) -> Vec<Vehicle> {
