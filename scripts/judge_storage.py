@@ -2,12 +2,13 @@
 """Judges `endless generate s3://...` with a real S3 server: moto, from PyPI.
 
     python3 -m venv VENV && VENV/bin/pip install "moto[server]" boto3
-    VENV/bin/python scripts/judge_storage.py path/to/endless [KILLS]
+    VENV/bin/python scripts/judge_storage.py path/to/endless [--kills 10] [--throughput]
 
 The program must be built with `--features cloud`. A dataset is made in a folder and in a bucket, and all bytes are compared:
 in one go, killed at random instants, by eight shards at a time, over connections that break. Then what cannot work must say so in one line,
-lose nothing, and nowhere tell a secret.
+lose nothing, and nowhere tell a secret. With --throughput it also measures uploads, and judges nothing by them.
 """
+import argparse
 import http.client
 import http.server
 import json
@@ -31,6 +32,7 @@ KEY = "AKIAHIDDENEXAMPLE"
 RECIPE = ["--videos", "8", "--size", "64x36", "--fps", "5", "--duration", "1", "--seed", "5", "--min-pixels", "5",
           "--maps", "Town01,Town03", "--vehicles", "10", "--pedestrians", "5"]
 outputs = []
+begun = time.monotonic()
 
 
 def recipe(*flags):
@@ -198,15 +200,21 @@ def is_upload(command, path):
 
 
 def step(text):
-    print(f"== {text}", flush=True)
+    print(f"== {text} ({time.monotonic() - begun:.0f} s)", flush=True)
 
 
 def main():
-    kills = int(sys.argv[2]) if len(sys.argv) > 2 else 10
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("endless")
+    parser.add_argument("--kills", type=int, default=10)
+    parser.add_argument("--throughput", action="store_true")
+    asked = parser.parse_args()
     with tempfile.TemporaryDirectory() as work:
-        judge = Judge(os.path.abspath(sys.argv[1]), work)
+        judge = Judge(os.path.abspath(asked.endless), work)
         try:
-            judge_all(judge, kills)
+            judge_all(judge, asked.kills)
+            if asked.throughput:
+                measure_throughput(judge)
         finally:
             judge.stop_server()
     for said in outputs:
@@ -307,6 +315,8 @@ def judge_all(judge, kills):
     judge.s3.create_bucket(Bucket="guarded")
     judge.refused(["s3://guarded/a", *RECIPE], "credentials are not accepted .InvalidAccessKeyId")
 
+
+def measure_throughput(judge):
     step("throughput")
     judge.start_server()
     judge.bucket("speed")
