@@ -20,6 +20,9 @@ use tokio::{
     task::JoinHandle,
 };
 
+/// One that runs.
+type Upload = JoinHandle<Result<(), StoreError>>;
+
 /// A dataset in a bucket.
 #[derive(Debug)]
 pub struct RemoteDataset {
@@ -27,7 +30,7 @@ pub struct RemoteDataset {
     work: WorkFolder,
     runtime: Runtime,
     /// The video that is being uploaded.
-    uploading: Mutex<Option<(String, JoinHandle<Result<(), StoreError>>)>>,
+    uploading: Mutex<Option<(String, Upload)>>,
 }
 
 /// How a dataset in a bucket is made.

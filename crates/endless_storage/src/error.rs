@@ -158,7 +158,7 @@ fn status(said: &str) -> Option<String> {
 }
 
 fn is_transport(error: &object_store::Error) -> bool {
-    causes(error).any(|cause| cause.is::<object_store::client::HttpError>())
+    causes(error).any(<dyn Error>::is::<object_store::client::HttpError>)
 }
 
 /// The last of the causes, which knows of no address: "Connection refused".
