@@ -79,7 +79,7 @@ mod tests {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let client = TcpStream::connect(listener.local_addr().unwrap()).unwrap();
         let mut reader = EagerReader::new(listener.accept().unwrap().0);
-        let (mut byte, mut looks, mut late_looks) = ([0], 0, 0);
+        let (mut byte, mut looks, mut in_vain) = ([0], 0, 0);
         for number in 0..240 {
             let is_late = number % 16 == 15;
             let mut other = client.try_clone().unwrap();
@@ -94,13 +94,16 @@ mod tests {
                 None
             };
             looks += u32::from(reader.is_answered);
-            late_looks += u32::from(reader.is_answered && is_late);
             assert_eq!((reader.read(&mut byte).unwrap(), byte), (1, [number]));
+            // On a busy machine a look may last so long that even what is late comes meanwhile.
+            let was_in_vain = reader.pause == PAUSE;
+            assert!(is_late || !was_in_vain, "{number} had come");
+            in_vain += u32::from(was_in_vain);
             later.into_iter().for_each(|thread| thread.join().unwrap());
             reader.answered();
         }
         // Of the late ones each is looked for that comes when none was looked for in vain lately.
-        assert!(looks > 0 && (1..=3).contains(&late_looks), "{looks} looks, {late_looks} of them in vain");
+        assert!(looks > in_vain && (1..=4).contains(&in_vain), "{looks} looks, {in_vain} of them in vain");
         drop(client);
         assert_eq!(reader.read(&mut byte).unwrap(), 0);
     }
