@@ -18,7 +18,8 @@ import time
 
 import carla
 
-from carla_server import Server, free_port
+from carla_server import Server
+from free_port import free_port
 from judge_carla import spawn_traffic, synchronous
 
 

@@ -5,11 +5,7 @@ import subprocess
 import sys
 import time
 
-
-def free_port():
-    with socket.socket() as s:
-        s.bind(("127.0.0.1", 0))
-        return s.getsockname()[1]
+from free_port import free_port
 
 
 def wait_until_it_listens(process, port, limit_s=120):

@@ -17,7 +17,8 @@ import tempfile
 
 import carla
 
-from carla_server import Server, free_port
+from carla_server import Server
+from free_port import free_port
 from judge_carla import check
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent

@@ -26,6 +26,7 @@ import boto3
 import botocore.config
 
 from folder_bytes import folder_bytes
+from free_port import free_port
 
 SECRET = "wJalrXUtnFEMIK7MDENGbPxRfiCYEXAMPLESECRET"
 KEY = "AKIAHIDDENEXAMPLE"
@@ -124,12 +125,6 @@ class Judge:
     def bucket(self, name):
         self.s3.create_bucket(Bucket=name)
         return name
-
-
-def free_port():
-    with socket.socket() as sock:
-        sock.bind(("127.0.0.1", 0))
-        return sock.getsockname()[1]
 
 
 class Proxy:
