@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import operator
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Optional, Union, overload
 
 from endless_city import _native
@@ -99,6 +99,38 @@ class Dataset(Sequence[CameraFrame]):
         frame.load(layers)
         return frame
 
+    def split(
+        self, shares: Optional[Union[str, Mapping[str, float]]] = None, *, by: str = "video"
+    ) -> dict[str, Dataset]:
+        """Parts for training, validation and test, no scene in two of them: those of `endless export`, by their names.
+
+            parts = dataset.split({"train": 0.8, "val": 0.1, "test": 0.1}, by="map")
+            parts["train"][0]
+
+        Parts follow from the dataset's seed and all of its videos. Those of a dataset of chosen videos have the chosen ones.
+
+        Args:
+            shares: The share of each part; they add up to 1. By default 0.8 `train` and 0.2 `val`, or all `train` where there is
+                one group of videos only. May be written as in `endless export --split`: "train=0.8,val=0.2".
+            by: What stays together: each `video`, all of a `camera`, of a `map`, or of a `condition` (weather and time of day).
+
+        Raises:
+            RecipeError: Shares do not add up to 1, or there are fewer groups of videos than parts.
+            DatasetError: No video is complete.
+        """
+        layers, cameras, videos = self._chosen
+        text = shares if shares is None or isinstance(shares, str) else _shares(shares)
+        parts = _native.split(self._root, text, by)
+        return {
+            name: Dataset(
+                self._root,
+                layers=layers,
+                cameras=cameras,
+                videos=[video for video in own if videos is None or video in videos],
+            )
+            for name, own in parts
+        }
+
     @property
     def root(self) -> str:
         """The folder."""
@@ -141,6 +173,12 @@ def _reopen(
     root: str, layers: Optional[list[str]], cameras: Optional[list[str]], videos: Optional[list[str]]
 ) -> Dataset:
     return Dataset(root, layers=layers, cameras=cameras, videos=videos)
+
+
+def _shares(shares: Any) -> str:
+    if not isinstance(shares, Mapping):
+        raise RecipeError(f"shares cannot be {shares!r}: give the share of each part by its name")
+    return ",".join(f"{name}={share}" for name, share in shares.items())
 
 
 def _words(name: str, words: Any) -> Optional[list[str]]:

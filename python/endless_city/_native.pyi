@@ -10,6 +10,7 @@ __all__ = [
     "FrameStream",
     "asset_preview",
     "assets",
+    "camera_frames_of_shards",
     "classes",
     "encode_png",
     "generate",
@@ -18,6 +19,7 @@ __all__ = [
     "options",
     "render",
     "run_command",
+    "split",
     "tags",
     "version",
 ]
@@ -31,6 +33,7 @@ def generate(
     flags: Sequence[_Path],
     report: Optional[Callable[[list[str], int, int], object]],
 ) -> tuple[int, int, int, float]: ...
+def camera_frames_of_shards(recipe: str, flags: Sequence[_Path], of: int) -> list[int]: ...
 def render(recipe: str, flags: Sequence[_Path], camera: Optional[str], frame: int) -> dict[str, Any]: ...
 def encode_png(rgb: NDArray[np.uint8]) -> bytes: ...
 def maps() -> str: ...
@@ -41,6 +44,9 @@ def options() -> str: ...
 def classes() -> list[str]: ...
 def tags() -> list[str]: ...
 def version() -> str: ...
+def split(
+    root: Union[str, PathLike[str]], shares: Optional[str], by: str
+) -> list[tuple[str, list[str]]]: ...
 @final
 class DatasetReader:
     def __new__(

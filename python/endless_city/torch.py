@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
+from itertools import islice
 from typing import Any, Callable, Optional, Union, cast
 
 import torch
@@ -25,10 +26,12 @@ import torch.distributed
 from torch.utils import data
 from torchvision import tv_tensors
 
+from endless_city import _native
 from endless_city._dataset import Dataset
 from endless_city._frame import CameraFrame
-from endless_city._recipe import PathLike
+from endless_city._recipe import PathLike, flags, recipe_json
 from endless_city._stream import stream
+from endless_city.errors import RecipeError
 
 __all__ = ["FrameDataset", "Sample", "StreamDataset", "collate_detection", "detection_target", "image_tensor"]
 
@@ -36,6 +39,9 @@ Sample = tuple[Any, dict[str, Any]]
 """A picture and its target."""
 
 _Transforms = Callable[..., Any]
+
+_OF_STREAM = ("config", "buffer", "order", "cache", "memory")
+"""Arguments of `stream` that are no options of a recipe."""
 
 
 def _tensor(array: Any) -> torch.Tensor:
@@ -129,7 +135,7 @@ class StreamDataset(data.IterableDataset[Sample]):
     """Frames while they are made, a picture and a target each, frame by frame and camera by camera.
 
     Each worker of a `DataLoader`, in each process of `torch.distributed`, makes a part of the videos of its own: ask for at least
-    as many videos as there are workers in all. Parts may differ in length.
+    as many videos as there are workers in all.
     """
 
     def __init__(
@@ -142,6 +148,7 @@ class StreamDataset(data.IterableDataset[Sample]):
         threads: Optional[int] = None,
         buffer: int = 4,
         order: str = "map",
+        even: Optional[bool] = None,
         seed: int = 0,
         **recipe: Any,
     ) -> None:
@@ -155,6 +162,9 @@ class StreamDataset(data.IterableDataset[Sample]):
             threads: How many threads each worker has; its share of all cores by default.
             buffer: How many frames may wait.
             order: As in `endless_city.stream`.
+            even: Whether each worker ends after as many frames as the one with the fewest has, so that processes that wait for one
+                another at each step, as DistributedDataParallel does, have as many. By default in a process of
+                `torch.distributed`.
             seed: Seed of the first epoch.
             **recipe: Options of the recipe, as in `endless_city.generate`.
         """
@@ -162,6 +172,7 @@ class StreamDataset(data.IterableDataset[Sample]):
         self.masks = masks
         self.min_visibility = min_visibility
         self.threads = threads
+        self.even = even
         self.seed = seed
         self.epoch = 0
         self._options: dict[str, Any] = {"config": config, "buffer": buffer, "order": order, **recipe}
@@ -173,17 +184,34 @@ class StreamDataset(data.IterableDataset[Sample]):
     def __iter__(self) -> Iterator[Sample]:
         worker = data.get_worker_info()
         place, workers = (0, 1) if worker is None else (worker.id, worker.num_workers)
-        part, parts = place, workers
+        part, parts, even = place, workers, self.even
         if torch.distributed.is_available() and torch.distributed.is_initialized():
             part += torch.distributed.get_rank() * workers
             parts *= torch.distributed.get_world_size()
+            even = even is None or even
         threads = self.threads or max((os.cpu_count() or 1) // workers, 1)
-        seed = self.seed + self.epoch
-        with stream(shard=(part + 1, parts), threads=threads, seed=seed, **self._options) as frames:
+        samples = self._samples((part + 1, parts), threads)
+        return islice(samples, self._least(parts)) if even else samples
+
+    def _samples(self, shard: tuple[int, int], threads: int) -> Iterator[Sample]:
+        with stream(shard=shard, threads=threads, seed=self.seed + self.epoch, **self._options) as frames:
             for frame in frames:
                 for camera, view in enumerate(frame.cameras):
                     image_id = frame.index * len(frame.cameras) + camera
                     yield _sample(view, image_id, self.transforms, self.masks, self.min_visibility)
+
+    def _least(self, parts: int) -> int:
+        """Frames of the part with the fewest."""
+        recipe = {key: value for key, value in self._options.items() if key not in _OF_STREAM}
+        recipe_text = recipe_json({**recipe, "seed": self.seed + self.epoch})
+        frames = _native.camera_frames_of_shards(recipe_text, flags(config=self._options["config"]), parts)
+        if not min(frames):
+            having = sum(1 for count in frames if count)
+            raise RecipeError(
+                f"{parts} workers in all need a part of the videos each, and {having} of them have one: ask for more videos, "
+                "for fewer workers, or for even=False"
+            )
+        return min(frames)
 
 
 def _sample(

@@ -7,6 +7,8 @@ import multiprocessing
 import os
 import pickle
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -109,6 +111,26 @@ def test_a_part_can_be_chosen(out: Path) -> None:
     for wrong in ({"cameras": ["camera_z"]}, {"videos": ["none"]}):
         with pytest.raises(DatasetError, match="use some of"):
             Dataset(out, **wrong)
+
+
+def test_it_is_divided_as_exports_are(out: Path, tmp_path: Path) -> None:
+    whole = Dataset(out, layers=["rgb"])
+    parts = whole.split({"train": 0.5, "val": 0.5})
+    assert list(parts) == ["train", "val"] and all(len(part) == 8 for part in parts.values())
+    assert {part.layers for part in parts.values()} == {("rgb",)}
+    assert sorted(parts["train"].videos + parts["val"].videos) == sorted(whole.videos)
+    program = [sys.executable, "-m", "endless_city", "export", str(out), "--format", "coco", "--to", str(tmp_path / "coco")]
+    subprocess.run([*program, "--split", "train=0.5,val=0.5"], check=True, capture_output=True)
+    told = json.loads((tmp_path / "coco/annotations/instances_val.json").read_text())
+    assert {image["file_name"].split("/")[0] for image in told["images"]} == set(parts["val"].videos)
+    assert list(whole.split(by="map")) == ["train"]
+    chosen = Dataset(out, videos=parts["val"].videos).split("train=0.5,val=0.5")
+    assert (len(chosen["train"]), len(chosen["val"])) == (0, 8)
+    for wrong in ({"shares": {"a": 0.7, "b": 0.7}}, {"shares": {"a": 0.5, "b": 0.5}, "by": "map"}, {"by": "frame"}):
+        with pytest.raises(RecipeError):
+            whole.split(**wrong)
+    with pytest.raises(RecipeError, match="by its name"):
+        whole.split([0.5, 0.5])  # type: ignore[arg-type]
 
 
 def test_what_is_no_dataset_is_refused(tmp_path: Path, out: Path) -> None:

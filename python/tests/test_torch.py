@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import multiprocessing
+from datetime import timedelta
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,7 +17,7 @@ from torchvision import tv_tensors  # noqa: E402
 from torchvision.transforms import v2  # noqa: E402
 
 from conftest import RECIPE  # noqa: E402
-from endless_city import Dataset  # noqa: E402
+from endless_city import Dataset, RecipeError  # noqa: E402
 from endless_city.torch import FrameDataset, StreamDataset, collate_detection, detection_target  # noqa: E402
 
 STREAMED = {**RECIPE, "layers": ["rgb", "instance"]}
@@ -52,6 +55,45 @@ def test_workers_of_a_stream_share_the_videos(out: Path, workers: int) -> None:
     loader = DataLoader(StreamDataset(**STREAMED), batch_size=None, num_workers=workers)
     sums = sorted(int(image.to(torch.int64).sum()) for image, _ in loader)
     assert sums == sorted(int(frame.rgb.astype("int64").sum()) for frame in Dataset(out))
+
+
+def of_rank(rank: int, processes: int, workers: int, meeting: str, told: Any) -> None:
+    """A process of a training on several: tells the sums of its pictures."""
+    torch.distributed.init_process_group(
+        "gloo", init_method=f"file://{meeting}", rank=rank, world_size=processes, timeout=timedelta(seconds=120)
+    )
+    loader = DataLoader(StreamDataset(**STREAMED), batch_size=None, num_workers=workers)
+    told.put((rank, [int(image.to(torch.int64).sum()) for image, _ in loader]))
+    torch.distributed.barrier()
+    torch.distributed.destroy_process_group()
+
+
+@pytest.mark.skipif(not torch.distributed.is_available(), reason="this PyTorch is not distributed")
+@pytest.mark.parametrize("workers", [0, 1])
+def test_ranks_of_a_stream_share_the_videos(out: Path, tmp_path: Path, workers: int) -> None:
+    context = multiprocessing.get_context("spawn")
+    told = context.Queue()
+    arguments = (2, workers, str(tmp_path / "meeting"), told)
+    processes = [context.Process(target=of_rank, args=(rank, *arguments)) for rank in range(2)]
+    for process in processes:
+        process.start()
+    sums = dict(told.get(timeout=300) for _ in processes)
+    for process in processes:
+        process.join(60)
+        assert process.exitcode == 0
+    videos = [[int(f.rgb.astype("int64").sum()) for f in Dataset(out, videos=[name])] for name in Dataset(out).videos]
+    assert sorted(sorted(of) for of in sums.values()) == sorted(sorted(of) for of in videos)
+
+
+def test_even_parts_end_with_the_shortest() -> None:
+    three = {**STREAMED, "videos": 3, "size": (64, 36), "duration": 0.4}
+    counts = []
+    for even in (False, True):
+        loader = DataLoader(StreamDataset(**three, even=even), batch_size=None, num_workers=2)
+        counts.append(sum(1 for _ in loader))
+    assert counts == [12, 8]
+    with pytest.raises(RecipeError, match="2 workers in all .* 1 of them"):
+        list(DataLoader(StreamDataset(**{**three, "videos": 1}, even=True), batch_size=None, num_workers=2))
 
 
 def test_an_epoch_has_other_videos() -> None:

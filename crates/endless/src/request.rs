@@ -12,8 +12,8 @@ use endless_carla::client::StopFlag;
 use endless_dataset::{Recipe, RecipeDraft};
 use endless_interchange::MapLibrary;
 use endless_pipeline::{
-    Generated, MapSource, Progress, RecipeError, Simulator, SimulatorError, StreamEnd, StreamOptions, StreamedFrame,
-    stream,
+    Generated, MapSource, Plan, Progress, RecipeError, Simulator, SimulatorError, StreamEnd, StreamOptions,
+    StreamedFrame, stream,
 };
 use endless_world::CameraSite;
 use std::{error::Error, ffi::OsString, fmt, ops::ControlFlow};
@@ -86,6 +86,15 @@ impl Request {
         with_simulator(MapLibrary::user(), draft, &args, Some(stop), hand_over)
     }
 
+    /// How many frames the cameras of each of so many shards make.
+    ///
+    /// # Errors
+    /// When a plan cannot be made of the recipe.
+    pub fn camera_frames_of_shards(self, of: u32) -> Result<Vec<u64>> {
+        let Self { args, draft, stop, .. } = self;
+        with_simulator(MapLibrary::user(), draft, &args, Some(stop), CountShards { of })
+    }
+
     /// Makes one frame of the first video, filmed by the camera of this name alone, or by those that the plan chooses.
     ///
     /// # Errors
@@ -101,6 +110,24 @@ impl Request {
         let hand_over = HandOver { options, camera, progress, take: &mut take };
         with_simulator(MapLibrary::user(), draft, &args, Some(stop), hand_over)?;
         Ok(rendered)
+    }
+}
+
+/// Counts the frames of shards.
+struct CountShards {
+    of: u32,
+}
+
+impl WithSimulator for CountShards {
+    type Made = Vec<u64>;
+
+    fn run<S: Simulator + MapSource>(self, simulator: &S, recipe: &Recipe) -> Result<Vec<u64>> {
+        let plan = Plan::new(recipe, simulator)?;
+        let of_video = |video: &u32| {
+            let scene = &plan.scenes[*video as usize];
+            u64::from(scene.frames) * scene.cameras.len() as u64
+        };
+        Ok(plan.shards(self.of).iter().map(|videos| videos.iter().map(of_video).sum()).collect())
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::{
     ClassMapping, ExportError, Format, Placing, SourceDataset, SplitBy, SplitShares,
     job::Export,
+    parts,
     target::{Opened, Target},
 };
 use endless_dataset::Layer;
@@ -81,18 +82,8 @@ pub struct ExportReport {
 pub fn export(root: &Path, options: &ExportOptions<'_>) -> Result<ExportReport, ExportError> {
     let dataset = SourceDataset::open(root, options.stride)?;
     needs_layers(&dataset, options.format)?;
-    let seed = dataset.manifest.seed;
-    let videos = dataset.videos().count();
-    let one = || "train=1".parse().map_err(ExportError::Split);
-    let shares = match &options.split {
-        Some(shares) => shares.clone(),
-        None if videos < 2 => one()?,
-        None => match SplitShares::default().divide(&dataset.sequences, options.by, seed) {
-            Ok(_parts) => SplitShares::default(),
-            Err(_too_few_groups) => one()?,
-        },
-    };
-    let split_of = shares.divide(&dataset.sequences, options.by, seed)?;
+    let (seed, videos) = (dataset.manifest.seed, dataset.videos().count());
+    let (shares, split_of) = parts::divide(&dataset, options.split.as_ref(), options.by)?;
     let exporter = (options.format.entry().exporter)();
     exporter.fits(&dataset)?;
     let asked = json!({

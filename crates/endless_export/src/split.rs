@@ -78,6 +78,11 @@ impl FromStr for SplitShares {
 }
 
 impl SplitShares {
+    /// All in `train`.
+    pub(crate) fn whole() -> Self {
+        Self(vec![("train".into(), 1.0)])
+    }
+
     /// The names of the parts, in order.
     pub fn names(&self) -> Vec<String> {
         self.0.iter().map(|(name, _)| name.clone()).collect()

@@ -1,15 +1,34 @@
 //! Random access to a dataset on the disk.
 
-use crate::{arrays::insert_planes, errors::unreadable, objects::columns};
+use crate::{
+    arrays::insert_planes,
+    errors::{RecipeError, undivided, unreadable},
+    objects::columns,
+};
 use endless_annotate::FrameObjects;
 use endless_dataset::{CameraFrames, DatasetError, FrameReader, FrameSelection, Layer, Plane, PoseLine, read_lines};
-use endless_world::ImageSize;
+use endless_export::{SplitBy, SplitShares};
+use endless_world::{ImageSize, UnknownName};
 use pyo3::{
     exceptions::{PyIndexError, PyValueError},
     prelude::*,
     types::{PyBytes, PyDict},
 };
 use std::{path::PathBuf, thread};
+
+/// The parts in which `endless export` divides a dataset, with the names of the videos of each.
+#[pyfunction]
+pub(crate) fn split(
+    py: Python<'_>,
+    root: PathBuf,
+    shares: Option<&str>,
+    by: &str,
+) -> PyResult<Vec<(String, Vec<String>)>> {
+    let wrong = |reason: String| RecipeError::new_err(reason);
+    let shares: Option<SplitShares> = shares.map(str::parse).transpose().map_err(wrong)?;
+    let by: SplitBy = by.parse().map_err(|error: UnknownName| wrong(error.to_string()))?;
+    py.detach(|| endless_export::parts(&root, shares.as_ref(), by)).map_err(|error| undivided(&error))
+}
 
 /// Reads the camera frames of a dataset, decoded without the interpreter's lock.
 #[pyclass(frozen, module = "endless_city._native")]

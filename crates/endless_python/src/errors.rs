@@ -2,6 +2,7 @@
 
 use endless::UsageError;
 use endless_dataset::DatasetError as UnreadableDataset;
+use endless_export::ExportError;
 use endless_pipeline::{GenerateError, PlanError, RecipeError as UnmadeRecipe, SimulatorError};
 use pyo3::{PyErr, exceptions::PyKeyboardInterrupt, import_exception};
 
@@ -49,4 +50,12 @@ fn of_simulator(error: &SimulatorError, message: String) -> PyErr {
 /// The exception of a dataset that cannot be read.
 pub(crate) fn unreadable(error: &UnreadableDataset) -> PyErr {
     DatasetError::new_err(error.to_string())
+}
+
+/// The exception of a dataset that cannot be divided into parts.
+pub(crate) fn undivided(error: &ExportError) -> PyErr {
+    match error {
+        ExportError::Split(reason) => RecipeError::new_err(reason.clone()),
+        _ => DatasetError::new_err(error.to_string()),
+    }
 }

@@ -1,4 +1,4 @@
-//! `endless_city.generate`.
+//! `endless_city.generate`, and what its shards have.
 
 use crate::{errors::exception, recipe, supervised::supervised, watch::Watch};
 use endless::Request;
@@ -25,4 +25,18 @@ pub(crate) fn generate(
     let tell = |py: Python<'_>| report.as_ref().map_or(Ok(()), |report| report.call1(py, watch.news()).map(drop));
     let made = supervised(py, &watch, tell, move || request.generate(&*watched))?.map_err(|error| exception(&error))?;
     Ok((made.videos, made.camera_frames, made.bytes, made.seconds))
+}
+
+/// How many frames the cameras of each of so many shards make.
+#[pyfunction]
+pub(crate) fn camera_frames_of_shards(
+    py: Python<'_>,
+    recipe: &str,
+    flags: Vec<OsString>,
+    of: u32,
+) -> PyResult<Vec<u64>> {
+    let draft = recipe::draft(recipe)?;
+    let stop = Watch::default().stop().clone();
+    let request = Request::new(".".into(), flags, draft, stop).map_err(|error| exception(&error))?;
+    py.detach(|| request.camera_frames_of_shards(of)).map_err(|error| exception(&error))
 }

@@ -35,8 +35,8 @@ mod _native {
     use super::{
         catalogue::{asset_preview, assets, classes, map_preview, maps, options, tags, version},
         command::run_command,
-        dataset::DatasetReader,
-        generate::generate,
+        dataset::{DatasetReader, split},
+        generate::{camera_frames_of_shards, generate},
         render::{encode_png, render},
         stream::FrameStream,
     };

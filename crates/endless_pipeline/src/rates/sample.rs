@@ -1,9 +1,13 @@
 //! What was measured.
 
-use endless_dataset::{Layer, Recipe};
+use endless_dataset::Recipe;
 use endless_world::{SceneSettings, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Options of a recipe that say which videos there are, and how long: rates are kept by map, weather and time of day, and told a frame.
+const THAT_MAY_DIFFER: &[&str] = &["videos", "maps", "weathers", "times", "balance", "duration", "seed"];
 
 /// What a few frames of one video took.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -46,33 +50,25 @@ pub struct Rates {
 }
 
 impl Rates {
-    /// What rates of a recipe are measured for.
+    /// What rates of a recipe are measured for: threads, the build's sources, and all options but those in
+    /// [`THAT_MAY_DIFFER`].
     pub fn key(recipe: &Recipe, threads: usize, sources: &str) -> BTreeMap<String, String> {
-        let layers = |layers: &[Layer]| layers.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
-        let size = recipe.size;
-        let entries = [
-            ("threads", threads.to_string()),
-            ("sources", sources.to_owned()),
-            ("size", format!("{}x{}", size.width, size.height)),
-            ("cameras_per_scene", recipe.cameras_per_scene.to_string()),
-            ("sensors", recipe.sensor.len().to_string()),
-            ("layers", layers(&recipe.layers)),
-            ("mp4", layers(&recipe.mp4)),
-            ("rgb_format", recipe.rgb_format.to_string()),
-            ("amodal_masks", recipe.amodal_masks.to_string()),
-            ("vehicles", recipe.vehicles.to_string()),
-            ("pedestrians", recipe.pedestrians.to_string()),
-        ];
-        entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+        let options = match serde_json::to_value(recipe) {
+            Ok(Value::Object(options)) => options,
+            _ => serde_json::Map::new(),
+        };
+        let of_recipe = options.into_iter().filter(|(name, _)| !THAT_MAY_DIFFER.contains(&name.as_str()));
+        let text = |value: Value| value.as_str().map_or_else(|| value.to_string(), ToOwned::to_owned);
+        let of_machine = [("threads".to_owned(), threads.to_string()), ("sources".to_owned(), sources.to_owned())];
+        of_recipe.map(|(name, value)| (name, text(value))).chain(of_machine).collect()
     }
 
     /// The first thing in which these rates are not those of a key: its name, here and there.
     pub fn first_difference(&self, key: &BTreeMap<String, String>) -> Option<(String, String, String)> {
-        let nothing = String::new();
-        key.iter().find_map(|(name, wanted)| {
-            let own = self.of.get(name).unwrap_or(&nothing);
-            (own != wanted).then(|| (name.clone(), own.clone(), wanted.clone()))
-        })
+        let value = |of: &BTreeMap<String, String>, name: &String| of.get(name).cloned().unwrap_or_default();
+        let names: BTreeSet<&String> = key.keys().chain(self.of.keys()).collect();
+        let mut all = names.into_iter().map(|name| (name.clone(), value(&self.of, name), value(key, name)));
+        all.find(|(_, own, wanted)| own != wanted)
     }
 
     /// The mean of a rate over the samples that are most like a video: of its weather and time of day, else of its time of
@@ -94,4 +90,23 @@ impl Rates {
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     let (sum, count) = values.fold((0.0, 0u32), |(sum, count), value| (sum + value, count + 1));
     (count > 0).then(|| sum / f64::from(count))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{resolve_recipe, test_catalog::ThreeTowns};
+    use endless_dataset::RecipeDraft;
+
+    #[test]
+    fn rates_of_another_look_are_not_taken() {
+        let of = |draft: RecipeDraft| Rates::key(&resolve_recipe(draft, &ThreeTowns).expect("valid"), 2, "a");
+        let rates = Rates { of: of(RecipeDraft::default()), threads: 2, samples: Vec::new() };
+        let more = RecipeDraft { videos: Some(900), seed: Some(5), duration: Some(60.0), ..RecipeDraft::default() };
+        assert_eq!(rates.first_difference(&of(more)), None);
+        let different = |draft: RecipeDraft| rates.first_difference(&of(draft)).map(|(name, ..)| name);
+        let look = RecipeDraft { camera_look: Some("cctv".parse().expect("a look")), ..RecipeDraft::default() };
+        assert_eq!(different(look).as_deref(), Some("camera_look"));
+        assert_eq!(different(RecipeDraft { focus: Some(0.0), ..RecipeDraft::default() }).as_deref(), Some("focus"));
+    }
 }
