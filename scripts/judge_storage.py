@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Judges `endless generate s3://...` with a real S3 server: moto, from PyPI.
 
-    python3 -m venv VENV && VENV/bin/pip install "moto[server]" boto3
+    python3 -m venv VENV && VENV/bin/pip install "moto[server]" boto3 trustme
     VENV/bin/python scripts/judge_storage.py path/to/endless [--kills 10] [--throughput]
 
 The program must be built with `--features cloud`. A dataset is made in a folder and in a bucket, and all bytes are compared:
-in one go, killed at random instants, by eight shards at a time, over connections that break. Then what cannot work must say so in one line,
+in one go, killed at random instants, by eight shards at a time, over connections that break, with TLS. Then what cannot work must say so in one line,
 lose nothing, and nowhere tell a secret. With --throughput it also measures uploads, and judges nothing by them.
 """
 import argparse
@@ -24,6 +24,7 @@ import time
 
 import boto3
 import botocore.config
+import trustme
 
 from folder_bytes import folder_bytes
 from free_port import free_port
@@ -55,11 +56,12 @@ class Judge:
         self.local_seconds = time.monotonic() - begin
         self.wanted = folder_bytes(self.local)
 
-    def start_server(self, **settings):
-        """An empty server."""
+    def start_server(self, tls=None, **settings):
+        """An empty server; with TLS where there are an authority's, its own certificate and its key."""
         self.stop_server()
         program = os.path.join(os.path.dirname(sys.executable), "moto_server")
-        self.server = subprocess.Popen([program, "-p", str(self.port)], stdout=subprocess.DEVNULL,
+        secured = ["-s", "-c", tls[1], "-k", tls[2]] if tls else []
+        self.server = subprocess.Popen([program, "-p", str(self.port), *secured], stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL, env={**os.environ, **settings})
         for _ in range(300):
             try:
@@ -67,7 +69,8 @@ class Judge:
                 break
             except OSError:
                 time.sleep(0.1)
-        self.s3 = boto3.client("s3", endpoint_url=f"http://127.0.0.1:{self.port}", region_name="us-east-1",
+        self.s3 = boto3.client("s3", endpoint_url=f"{'https' if tls else 'http'}://127.0.0.1:{self.port}",
+                               region_name="us-east-1", verify=tls[0] if tls else None,
                                aws_access_key_id=KEY, aws_secret_access_key=SECRET,
                                config=botocore.config.Config(retries={"max_attempts": 1}))
 
@@ -128,9 +131,9 @@ class Judge:
 
 
 class Proxy:
-    """Stands between both ends; `spoil` says what becomes of a request: nothing, an answer, or a cut connection."""
+    """Stands between both ends; `spoil` says what becomes of a request: nothing, an answer, or a cut connection. Headers may be kept back."""
 
-    def __init__(self, port, spoil):
+    def __init__(self, port, spoil, without=()):
         proxy = self
 
         class Handler(http.server.BaseHTTPRequestHandler):
@@ -153,7 +156,8 @@ class Proxy:
                     self.answer(status, {}, f"<Error><Code>{code}</Code><Key>{SECRET}</Key></Error>".encode())
                     return
                 upstream = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
-                upstream.request(self.command, self.path, body, dict(self.headers))
+                headers = {name: value for name, value in self.headers.items() if name.lower() not in without}
+                upstream.request(self.command, self.path, body, headers)
                 answer = upstream.getresponse()
                 self.answer(answer.status, dict(answer.getheaders()), answer.read())
                 upstream.close()
@@ -188,6 +192,17 @@ class Proxy:
     def __exit__(self, *_):
         self.server.shutdown()
         self.server.server_close()
+
+
+def certificates(folder):
+    """Files: an authority's certificate, a server's that it signed, the server's key."""
+    authority = trustme.CA()
+    server = authority.issue_cert("127.0.0.1")
+    paths = [os.path.join(folder, name) for name in ("authority.pem", "server.pem", "server.key")]
+    authority.cert_pem.write_to_path(paths[0])
+    server.cert_chain_pems[0].write_to_path(paths[1])
+    server.private_key_pem.write_to_path(paths[2])
+    return paths
 
 
 def is_upload(command, path):
@@ -309,6 +324,28 @@ def judge_all(judge, kills):
     judge.start_server(INITIAL_NO_AUTH_ACTION_COUNT="1")
     judge.s3.create_bucket(Bucket="guarded")
     judge.refused(["s3://guarded/a", *RECIPE], "credentials are not accepted .InvalidAccessKeyId")
+
+    step("TLS, with a certificate of somebody whom the system does not know")
+    tls = certificates(judge.work)
+    judge.start_server(tls=tls)
+    judge.bucket("secure")
+    secure = {"AWS_ENDPOINT_URL": f"https://127.0.0.1:{judge.port}", "AWS_ALLOW_HTTP": "false"}
+    judge.refused(["s3://secure/a", *RECIPE], "cannot be reached.*certificate", **secure)
+    judge.run(["s3://secure/a", *RECIPE], **secure, SSL_CERT_FILE=tls[0])
+    judge.assert_same("secure", "a")
+
+    step("Google's client, whose requests moto understands but for their credentials")
+    judge.start_server()
+    judge.bucket("google")
+    with Proxy(judge.port, lambda *_: None, without=("authorization",)) as proxy:
+        account = os.path.join(judge.work, "account.json")
+        with open(account, "w") as file:
+            json.dump({"gcs_base_url": f"http://127.0.0.1:{proxy.port}", "disable_oauth": True, "client_email": "",
+                       "private_key": SECRET, "private_key_id": KEY}, file)
+        judge.run(["gs://google/a", *RECIPE], GOOGLE_SERVICE_ACCOUNT=account)
+        judge.assert_same("google", "a")
+        assert "all is well" in judge.run(["gs://google/a"], "check", GOOGLE_SERVICE_ACCOUNT=account)
+        judge.refused(["gs://nobody/a", *RECIPE], "no such bucket", GOOGLE_SERVICE_ACCOUNT=account)
 
 
 def measure_throughput(judge):

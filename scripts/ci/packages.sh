@@ -4,7 +4,7 @@
 judges_packages() {
   install_packages "$work/venv" numpy pillow pycocotools typos pykitti pandas opencv-python-headless plyfile pyyaml trackeval \
     cityscapesscripts webdataset pyarrow datasets tfrecord nuscenes-devkit ultralytics rerun-sdk datumaro mlcroissant \
-    huggingface_hub "moto[server]" boto3 carla==0.9.16
+    huggingface_hub "moto[server]" boto3 trustme azure-storage-blob carla==0.9.16
 }
 
 # What the Python package is tested with. The package itself is installed by pip.
@@ -39,7 +39,7 @@ browser_packages() {
     apt-get update -qq
     DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
   fi
-  npm install --silent --no-audit --no-fund --prefix "$work/browser" playwright-core
+  npm install --silent --no-audit --no-fund --prefix "$work/browser" playwright-core azurite
 }
 
 # Engines are judged where the machine has them; ENGINES=1 installs them.
