@@ -131,9 +131,10 @@ class Judge:
 
 
 class Proxy:
-    """Stands between both ends; `spoil` says what becomes of a request: nothing, an answer, or a cut connection. Headers may be kept back."""
+    """Stands between both ends; `spoil` says what becomes of a request: nothing, an answer, or a cut connection.
+    `headers` are put in the place of the request's own."""
 
-    def __init__(self, port, spoil, without=()):
+    def __init__(self, port, spoil, headers=None):
         proxy = self
 
         class Handler(http.server.BaseHTTPRequestHandler):
@@ -156,8 +157,8 @@ class Proxy:
                     self.answer(status, {}, f"<Error><Code>{code}</Code><Key>{SECRET}</Key></Error>".encode())
                     return
                 upstream = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
-                headers = {name: value for name, value in self.headers.items() if name.lower() not in without}
-                upstream.request(self.command, self.path, body, headers)
+                own = {name: value for name, value in self.headers.items() if name.lower() not in (headers or {})}
+                upstream.request(self.command, self.path, body, {**own, **(headers or {})})
                 answer = upstream.getresponse()
                 self.answer(answer.status, dict(answer.getheaders()), answer.read())
                 upstream.close()
@@ -337,7 +338,9 @@ def judge_all(judge, kills):
     step("Google's client, whose requests moto understands but for their credentials")
     judge.start_server()
     judge.bucket("google")
-    with Proxy(judge.port, lambda *_: None, without=("authorization",)) as proxy:
+    scope = f"{KEY}/20260101/us-east-1/s3/aws4_request"
+    accepted = {"authorization": f"AWS4-HMAC-SHA256 Credential={scope}, SignedHeaders=host, Signature=0"}
+    with Proxy(judge.port, lambda *_: None, headers=accepted) as proxy:
         account = os.path.join(judge.work, "account.json")
         with open(account, "w") as file:
             json.dump({"gcs_base_url": f"http://127.0.0.1:{proxy.port}", "disable_oauth": True, "client_email": "",
