@@ -27,13 +27,14 @@ judge() { # NAME VERSION
   rm -rf "$root/judge"
   mkdir -p "$root/judge"
   cp -r "$wheel" python/tests "$root/judge"
-  cp "$certificates" "$root/judge/certificates.pem"
+  # As this machine: it may trust a proxy of its own.
+  cp "$certificates" "$root/etc/ssl/certs/ca-certificates.crt"
   cp /etc/resolv.conf /etc/hosts "$root/etc/"
   unshare --mount bash -euo pipefail -s -- "$root" "$2" <<'INSIDE'
 root=$1 version=$2
 mount --bind /proc "$root/proc"
 mount --bind /dev "$root/dev"
-inside() { chroot "$root" /usr/bin/env -C /judge PIP_CERT=/judge/certificates.pem TMPDIR=/judge PYTHONDONTWRITEBYTECODE=1 "$@" </dev/null; }
+inside() { chroot "$root" /usr/bin/env -C /judge PIP_CERT=/etc/ssl/certs/ca-certificates.crt TMPDIR=/judge PYTHONDONTWRITEBYTECODE=1 "$@" </dev/null; }
 inside python3 -c "import sys; assert '%d.%d' % sys.version_info[:2] == '$version', sys.version"
 inside python3 -m venv environment
 inside environment/bin/pip install --quiet --upgrade pip

@@ -163,8 +163,8 @@ class StreamDataset(data.IterableDataset[Sample]):
             buffer: How many frames may wait.
             order: As in `endless_city.stream`.
             even: Whether each worker ends after as many frames as the one with the fewest has, so that processes that wait for one
-                another at each step, as DistributedDataParallel does, have as many. By default in a process of
-                `torch.distributed`.
+                another at each step, as DistributedDataParallel does, have as many. By default where there are
+                several processes of `torch.distributed`.
             seed: Seed of the first epoch.
             **recipe: Options of the recipe, as in `endless_city.generate`.
         """
@@ -175,20 +175,23 @@ class StreamDataset(data.IterableDataset[Sample]):
         self.even = even
         self.seed = seed
         self.epoch = 0
+        self._process = (0, 1)
         self._options: dict[str, Any] = {"config": config, "buffer": buffer, "order": order, **recipe}
 
     def set_epoch(self, epoch: int) -> None:
         """Other videos from now on: those of the seed plus `epoch`. Call it before each epoch, before workers start."""
         self.epoch = epoch
 
+    def __getstate__(self) -> dict[str, Any]:
+        # A worker that is no fork does not know of which process it is one.
+        return {**self.__dict__, "_process": _process() or self._process}
+
     def __iter__(self) -> Iterator[Sample]:
         worker = data.get_worker_info()
         place, workers = (0, 1) if worker is None else (worker.id, worker.num_workers)
-        part, parts, even = place, workers, self.even
-        if torch.distributed.is_available() and torch.distributed.is_initialized():
-            part += torch.distributed.get_rank() * workers
-            parts *= torch.distributed.get_world_size()
-            even = even is None or even
+        rank, processes = _process() or self._process
+        part, parts = rank * workers + place, processes * workers
+        even = processes > 1 if self.even is None else self.even
         threads = self.threads or max((os.cpu_count() or 1) // workers, 1)
         samples = self._samples((part + 1, parts), threads)
         return islice(samples, self._least(parts)) if even else samples
@@ -212,6 +215,13 @@ class StreamDataset(data.IterableDataset[Sample]):
                 "for fewer workers, or for even=False"
             )
         return min(frames)
+
+
+def _process() -> Optional[tuple[int, int]]:
+    """The number of this process in `torch.distributed`, and how many there are."""
+    if torch.distributed.is_available() and torch.distributed.is_initialized():
+        return torch.distributed.get_rank(), torch.distributed.get_world_size()
+    return None
 
 
 def _sample(

@@ -31,7 +31,7 @@ RIG: dict[str, Any] = {
     "mp4": [],
     "seed": 3,
     "sensor": [
-        on_a_car("front", "camera", size=SIZE, fov=90, layers=["rgb", "depth", "instance"], fps=5),
+        on_a_car("front", "camera", size=SIZE, fov=90, layers=["rgb", "depth", "instance"], rate=5),
         on_a_car("events", "event_camera", size=SIZE, fov=90),
         on_a_car("velodyne", "lidar", preset="vlp_16", formats=["kitti", "ply"]),
         on_a_car("radar", "radar"),
@@ -111,7 +111,7 @@ def test_records_are_those_of_their_files(rig: Path, streamed: list[Frame]) -> N
     for name in ("imu", "gnss"):
         told = [record for records in readings(streamed, name).values() for record in records]
         assert told == lines(rig / name / f"{name}.jsonl")
-    for name, file in (("collisions", "collision.jsonl"), ("lanes", "lane_invasion.jsonl")):
+    for name, file in (("collisions", "collisions.jsonl"), ("lanes", "lane_invasions.jsonl")):
         told = [record for records in readings(streamed, name).values() for record in records]
         assert told == lines(rig / name / file)
 
