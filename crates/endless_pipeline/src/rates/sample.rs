@@ -51,7 +51,7 @@ pub struct Rates {
 
 impl Rates {
     /// What rates of a recipe are measured for: threads, the build's sources, and all options but those in
-    /// [`THAT_MAY_DIFFER`].
+    /// `THAT_MAY_DIFFER`.
     pub fn key(recipe: &Recipe, threads: usize, sources: &str) -> BTreeMap<String, String> {
         let options = match serde_json::to_value(recipe) {
             Ok(Value::Object(options)) => options,
