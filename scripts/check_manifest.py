@@ -1,17 +1,26 @@
 #!/usr/bin/env python3
-"""Reads what `endless cluster kubernetes` writes with a parser of YAML (PyYAML), and checks what the Job needs.
+"""Checks what `endless cluster kubernetes` writes: with a parser of YAML, by the schemas of Kubernetes' own API, strictly, and what the
+Job needs.
 
+    pip install pyyaml kubernetes-validate
     endless cluster kubernetes recipe.toml ... | python3 scripts/check_manifest.py RECIPE SHARDS
 """
 
 import sys
 
+import kubernetes_validate
 import yaml
+
+# The oldest that knows all fields, and the latest.
+VERSIONS = ["1.29", kubernetes_validate.latest_version()]
 
 
 def main() -> None:
     recipe, shards = open(sys.argv[1]).read(), int(sys.argv[2])
-    config, job = yaml.safe_load_all(sys.stdin)
+    config, job = documents = list(yaml.safe_load_all(sys.stdin))
+    for version in VERSIONS:
+        for document in documents:
+            kubernetes_validate.validate(document, version, strict=True)
     assert config["kind"] == "ConfigMap" and config["data"]["recipe.toml"] == recipe, "the recipe as it is"
     spec = job["spec"]
     assert job["apiVersion"] == "batch/v1" and job["kind"] == "Job"
@@ -27,7 +36,7 @@ def main() -> None:
     (command,) = container["args"]
     assert f'--shard "$((JOB_COMPLETION_INDEX + 1))/{shards}"' in command, command
     assert container["resources"]["requests"].keys() == {"cpu", "memory"}
-    print(f"a Job of {shards} shards: {command}")
+    print(f"a Job of {shards} shards, by the schemas of {' and '.join(VERSIONS)}: {command}")
 
 
 if __name__ == "__main__":

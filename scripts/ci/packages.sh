@@ -2,7 +2,7 @@
 
 # One environment with all that judges datasets, resolved once.
 judges_packages() {
-  install_packages "$work/venv" numpy pillow pycocotools typos pykitti pandas opencv-python-headless plyfile pyyaml trackeval \
+  install_packages "$work/venv" numpy pillow pycocotools typos pykitti pandas opencv-python-headless plyfile pyyaml kubernetes-validate trackeval \
     cityscapesscripts webdataset pyarrow datasets tfrecord nuscenes-devkit ultralytics rerun-sdk datumaro mlcroissant \
     huggingface_hub "moto[server]" boto3 trustme azure-storage-blob carla==0.9.16
 }
