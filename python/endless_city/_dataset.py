@@ -6,7 +6,7 @@ import json
 import operator
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Optional, Union, cast, overload
 
 from endless_city import _native
 from endless_city._camera import Camera, camera_of
@@ -178,7 +178,8 @@ def _reopen(
 def _shares(shares: Any) -> str:
     if not isinstance(shares, Mapping):
         raise RecipeError(f"shares cannot be {shares!r}: give the share of each part by its name")
-    return ",".join(f"{name}={share}" for name, share in shares.items())
+    given = cast("Mapping[str, float]", shares)
+    return ",".join(f"{name}={share}" for name, share in given.items())
 
 
 def _words(name: str, words: Any) -> Optional[list[str]]:
