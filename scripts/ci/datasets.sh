@@ -39,6 +39,9 @@ exports() {
     --min-pixels 20
   "$python" scripts/judge_exports.py "$program" "$work/exported" "$work/exports"
   PYTHONPATH="$PWD/python" "$python" scripts/run_doc_examples.py "$work/exported" --exports "$work/exports" docs/export/*.md
+  # docs/python.md trains so.
+  YOLO_CONFIG_DIR="$work" "$work/venv/bin/yolo" detect train data="$work/exports/yolo/data.yaml" model=yolo11n.yaml imgsz=160 epochs=1 \
+    workers=0 plots=False project="$work/yolo"
   "$python" python/to_rerun.py "$work/exported" "$work/rerun" --video 0
   "$work/venv/bin/rerun" rrd verify "$work"/rerun/*.rrd
   "$python" scripts/judge_card.py "$work/exported" --endless "$program"
