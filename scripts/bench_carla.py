@@ -19,7 +19,7 @@ import time
 import carla
 
 from carla_server import Server
-from free_port import free_port
+from ports import free_port
 from judge_carla import spawn_traffic, synchronous
 
 

@@ -3,23 +3,8 @@
 import socket
 import subprocess
 import sys
-import time
 
-from free_port import free_port
-
-
-def wait_until_it_listens(process, port, limit_s=120):
-    """Until a server that was started is ready; ends the script if it never is."""
-    deadline = time.monotonic() + limit_s
-    while time.monotonic() < deadline:
-        if process.poll() is not None:
-            sys.exit(f"the server ended with {process.returncode}")
-        try:
-            socket.create_connection(("127.0.0.1", port), 1).close()
-            return
-        except OSError:
-            time.sleep(0.1)
-    sys.exit("the server does not listen")
+from ports import free_port, wait_until_it_listens
 
 
 class Server:

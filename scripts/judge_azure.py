@@ -12,7 +12,6 @@ instants, and all bytes are compared.
 import os
 import pathlib
 import random
-import socket
 import subprocess
 import sys
 import tempfile
@@ -21,6 +20,7 @@ import time
 from azure.storage.blob import BlobServiceClient
 
 from folder_bytes import folder_bytes
+from ports import wait_until_it_listens
 
 # Azurite's only account, with the key that its documentation gives.
 ACCOUNT = "devstoreaccount1"
@@ -35,14 +35,8 @@ def start_server(folder: str, work: pathlib.Path) -> subprocess.Popen:
     program = pathlib.Path(folder) / "node_modules/.bin/azurite-blob"
     options = ["--blobPort", str(PORT), "--location", str(work / "azurite"), "--silent", "--skipApiVersionCheck"]
     server = subprocess.Popen([program, *options], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    for _ in range(300):
-        try:
-            socket.create_connection(("127.0.0.1", PORT), 1).close()
-            return server
-        except OSError:
-            assert server.poll() is None, "Azurite did not start"
-            time.sleep(0.1)
-    raise AssertionError("Azurite does not listen")
+    wait_until_it_listens(server, PORT)
+    return server
 
 
 def judge(endless: str, service: BlobServiceClient, work: pathlib.Path, kills: int) -> None:

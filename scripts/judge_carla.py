@@ -21,7 +21,7 @@ import numpy as np
 from carla_projection import OUT_PX, out_of_box, projected, seen
 from carla_road_rules import RoadRules
 from carla_server import Server
-from free_port import free_port
+from ports import free_port
 
 STEP_S = 0.05
 KINDS = ("rgb", "depth", "semantic_segmentation", "instance_segmentation")

@@ -18,7 +18,7 @@ import tempfile
 import carla
 
 from carla_server import Server
-from free_port import free_port
+from ports import free_port
 from judge_carla import check
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent

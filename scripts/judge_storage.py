@@ -27,7 +27,7 @@ import botocore.config
 import trustme
 
 from folder_bytes import folder_bytes
-from free_port import free_port
+from ports import free_port, wait_until_it_listens
 
 SECRET = "wJalrXUtnFEMIK7MDENGbPxRfiCYEXAMPLESECRET"
 KEY = "AKIAHIDDENEXAMPLE"
@@ -63,12 +63,7 @@ class Judge:
         secured = ["-s", "-c", tls[1], "-k", tls[2]] if tls else []
         self.server = subprocess.Popen([program, "-p", str(self.port), *secured], stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL, env={**os.environ, **settings})
-        for _ in range(300):
-            try:
-                socket.create_connection(("127.0.0.1", self.port), 1).close()
-                break
-            except OSError:
-                time.sleep(0.1)
+        wait_until_it_listens(self.server, self.port)
         self.s3 = boto3.client("s3", endpoint_url=f"{'https' if tls else 'http'}://127.0.0.1:{self.port}",
                                region_name="us-east-1", verify=tls[0] if tls else None,
                                aws_access_key_id=KEY, aws_secret_access_key=SECRET,

@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-from carla_server import wait_until_it_listens
+from ports import wait_until_it_listens
 
 PORT = 27300
 FRAMES, VIDEOS = 60, 6

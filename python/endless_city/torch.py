@@ -175,7 +175,7 @@ class StreamDataset(data.IterableDataset[Sample]):
         self.even = even
         self.seed = seed
         self.epoch = 0
-        self._process = (0, 1)
+        self._rank = (0, 1)
         self._options: dict[str, Any] = {"config": config, "buffer": buffer, "order": order, **recipe}
 
     def set_epoch(self, epoch: int) -> None:
@@ -184,12 +184,12 @@ class StreamDataset(data.IterableDataset[Sample]):
 
     def __getstate__(self) -> dict[str, Any]:
         # A worker that is no fork does not know of which process it is one.
-        return {**self.__dict__, "_process": _process() or self._process}
+        return {**self.__dict__, "_rank": _rank_now() or self._rank}
 
     def __iter__(self) -> Iterator[Sample]:
         worker = data.get_worker_info()
         place, workers = (0, 1) if worker is None else (worker.id, worker.num_workers)
-        rank, processes = _process() or self._process
+        rank, processes = _rank_now() or self._rank
         part, parts = rank * workers + place, processes * workers
         even = processes > 1 if self.even is None else self.even
         threads = self.threads or max((os.cpu_count() or 1) // workers, 1)
@@ -217,7 +217,7 @@ class StreamDataset(data.IterableDataset[Sample]):
         return min(frames)
 
 
-def _process() -> Optional[tuple[int, int]]:
+def _rank_now() -> Optional[tuple[int, int]]:
     """The number of this process in `torch.distributed`, and how many there are."""
     if torch.distributed.is_available() and torch.distributed.is_initialized():
         return torch.distributed.get_rank(), torch.distributed.get_world_size()

@@ -12,6 +12,8 @@ import pytest
 import endless_city
 from endless_city import CameraFrame, Dataset, Frame
 
+from conftest import RECIPE
+
 
 def on_a_car(name: str, kind: str, **more: Any) -> dict[str, Any]:
     mount = {"on": "vehicle", "class": "car", "at": [0.5, 0.0, 1.9]}
@@ -20,16 +22,13 @@ def on_a_car(name: str, kind: str, **more: Any) -> dict[str, Any]:
 
 SIZE = "160x90"
 RIG: dict[str, Any] = {
+    **RECIPE,
     "videos": 1,
-    "maps": ["Town01"],
     "size": (96, 54),
     "fps": 10,
     "duration": 0.4,
-    "vehicles": 20,
-    "min_pixels": 10,
+    "layers": ["rgb", "depth", "instance"],
     "cameras_per_scene": 1,
-    "mp4": [],
-    "seed": 3,
     "sensor": [
         on_a_car("front", "camera", size=SIZE, fov=90, layers=["rgb", "depth", "instance"], rate=5),
         on_a_car("events", "event_camera", size=SIZE, fov=90),

@@ -2,6 +2,8 @@
 
 import random
 import socket
+import sys
+import time
 
 
 def free_port():
@@ -16,3 +18,17 @@ def free_port():
         except OSError:
             continue
         return port
+
+
+def wait_until_it_listens(process, port, limit_s=120):
+    """Until a server that was started is ready; ends the script if it never is."""
+    deadline = time.monotonic() + limit_s
+    while time.monotonic() < deadline:
+        if process.poll() is not None:
+            sys.exit(f"the server ended with {process.returncode}")
+        try:
+            socket.create_connection(("127.0.0.1", port), 1).close()
+            return
+        except OSError:
+            time.sleep(0.1)
+    sys.exit("the server does not listen")
