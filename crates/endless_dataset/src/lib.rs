@@ -99,8 +99,8 @@ pub use preview::{depth_preview, instance_preview};
 pub use raster::{encode_jpg, encode_png};
 pub use recipe::{
     CameraSpec, CarrierClass, EventCameraSpec, LidarSpec, MAX_CAMERAS, ModelSpec, MountSpec, OptionDefault,
-    OptionError, OptionKind, Origin, PanTiltZoomKey, PointCloudFormat, Recipe, RecipeDraft, RecipeOption, SensorSpec,
-    UserCamera, Vocabulary, WayPointSpec, recipe_schema,
+    OptionError, OptionKind, Origin, PanTiltZoomKey, PointCloudFormat, Preset, Recipe, RecipeDraft, RecipeOption,
+    SensorSpec, UserCamera, Vocabulary, WayPointSpec, recipe_schema,
 };
 pub use rgb_format::{RgbFormat, RgbFormatEntry, read_rgb};
 pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable, write_json_line};

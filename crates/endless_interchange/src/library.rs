@@ -5,7 +5,9 @@ use crate::map::{self, ImportOptions, MapError, MapStatistics, MapStore, StoredM
 use crate::{geojson, gltf};
 use endless_asset::Catalogue;
 use endless_road::{RoadMap, RoadNetwork, opendrive};
-use endless_town::{PlacedObject, Placement, Town, ViewCheck, dress_map};
+use endless_town::{
+    DressOptions, PlacedObject, Placement, SiteDrawer, Town, ViewCheck, draw_map_sites, dress_map, dress_map_with,
+};
 use endless_world::{CameraSite, Image};
 use std::{
     collections::BTreeMap,
@@ -130,6 +132,40 @@ impl MapLibrary {
     /// As [`Self::town`].
     pub fn town_before(&self, cameras: &[CameraSite], name: &str) -> Result<Town, MapError> {
         Ok(self.with_details(self.town(name)?, cameras))
+    }
+
+    /// Another town on a map's roads, with what cameras see near by.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn town_dressed(
+        &self,
+        name: &str,
+        options: &DressOptions<'_>,
+        cameras: &[CameraSite],
+    ) -> Result<Town, MapError> {
+        let mut town = match self.stored(name)? {
+            Some((store, stored)) => dress_map_with(name, &store.read(&stored)?, options, self.catalogue())?,
+            None => endless_town::load_with(name, options, self.catalogue())?,
+        };
+        stand_in(&mut town, self.catalogue());
+        Ok(self.with_details(town, cameras))
+    }
+
+    /// Asks a drawer of new camera sites on a map, whose town is dressed by a seed or as usual.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn draw_sites<R>(
+        &self,
+        name: &str,
+        town_seed: Option<u64>,
+        ask: impl FnOnce(&SiteDrawer<'_>) -> R,
+    ) -> Result<R, MapError> {
+        Ok(match self.stored(name)? {
+            Some((store, stored)) => draw_map_sites(name, &store.read(&stored)?, town_seed, self.catalogue(), ask)?,
+            None => endless_town::draw_builtin_sites(name, town_seed, self.catalogue(), ask)?,
+        })
     }
 
     /// A town with details before cameras, and imported props in the places of some.

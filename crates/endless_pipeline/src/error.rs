@@ -114,6 +114,16 @@ pub enum PlanError {
         /// How many a scene needs.
         wanted: usize,
     },
+    /// A map without good views.
+    #[error(
+        "no street of map {map} gives {wanted} cameras a view: ask for fewer with --cameras-per-scene, or use --sites fixed"
+    )]
+    NoViews {
+        /// The map.
+        map: String,
+        /// How many cameras a scene needs.
+        wanted: u32,
+    },
     /// A sensor of a rig that has no place on a map.
     #[error("sensor {sensor} on map {map}: {problem}")]
     Rig {

@@ -148,9 +148,9 @@ fn generate_in<S: Simulator>(
     });
     let clock = StageClock::default();
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
-    for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
+    for same_map in remaining_scenes.chunk_by(|a, b| a.shares_town(b)) {
         let name = &same_map[0].map;
-        let cameras = plan.all_cameras(recipe, simulator, name)?;
+        let cameras = plan.all_cameras(recipe, simulator, same_map[0])?;
         let load = || {
             progress.event(&ProgressEvent::LoadMap { map: name });
             clock.time(Stage::LoadMap, || simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map }))

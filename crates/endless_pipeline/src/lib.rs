@@ -79,7 +79,7 @@ pub use rig::read_rig;
 pub use shard::Shard;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneBodies, SceneTruth, SensorReading,
-    SimulationSession, SimulationStep, Simulator, TrackFileSummary,
+    SimulationSession, SimulationStep, Simulator, SiteRequest, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;
 pub use store::{DatasetStore, FolderStore, StoreError, StoredFiles};

@@ -4,6 +4,7 @@ mod balanced;
 mod changing;
 mod combination;
 mod cost;
+mod drawn_sites;
 mod moved_camera;
 mod overlapping;
 mod partition;
@@ -17,8 +18,8 @@ use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::{DatasetError, DatasetLayout, Manifest, Recipe, read_json};
 use endless_world::{
-    CameraLook, CameraSite, IncidentKind, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation,
-    SceneSettings, Stream, TrackPlayback, TrafficProfile,
+    CameraLook, CameraSite, IncidentKind, PerVideo, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation,
+    SceneSettings, Stream, TimeOfDay, TrackPlayback, TrafficProfile,
 };
 use partition::Costs;
 
@@ -49,8 +50,9 @@ impl Plan {
     /// When a map has fewer cameras than a scene needs.
     pub fn new(recipe: &Recipe, catalog: &dyn MapCatalog) -> Result<Self, PlanError> {
         let sites_of = |map: &String| {
-            let sites = Self::cameras(recipe, catalog, map)?;
-            let asks = recipe.overlapping && recipe.cameras_per_scene > 1;
+            let drawn = recipe.sites == PerVideo::Drawn;
+            let sites = if drawn { Vec::new() } else { Self::cameras(recipe, catalog, map)? };
+            let asks = recipe.overlapping && recipe.cameras_per_scene > 1 && !drawn;
             let places = asks.then(|| catalog.places_seen(map, &sites)).transpose()?;
             let rig = RigPlaces::new(recipe, map, &sites, catalog)?;
             Ok(MapSites { map: map.clone(), sites, places, rig })
@@ -62,7 +64,10 @@ impl Plan {
         let mut scenes: Vec<SceneSettings> = scenes.collect();
         for map in &recipe.maps {
             let mut of_map: Vec<&mut SceneSettings> = scenes.iter_mut().filter(|scene| scene.map == *map).collect();
-            moved_camera::move_cameras(&mut of_map, map, catalog)?;
+            match recipe.sites {
+                PerVideo::Fixed => moved_camera::move_cameras(&mut of_map, map, catalog)?,
+                PerVideo::Drawn => drawn_sites::draw(&mut of_map, map, recipe, catalog)?,
+            }
         }
         Ok(Self { scenes, maps: recipe.maps.clone() })
     }
@@ -79,7 +84,8 @@ impl Plan {
         recipe.cameras.get(map).map_or_else(|| catalog.cameras(map), |own| Ok(own.clone()))
     }
 
-    /// All cameras that stand still in any video of a map: those with which a recipe may film it, and those of the rig.
+    /// All cameras that stand still in any video that shares the town of a scene: those with which a recipe may film its map,
+    /// or those that were drawn for it, and those of the rig.
     ///
     /// # Errors
     /// When there is no such map or it cannot be made.
@@ -87,11 +93,15 @@ impl Plan {
         &self,
         recipe: &Recipe,
         catalog: &(impl MapCatalog + ?Sized),
-        map: &str,
+        scene: &SceneSettings,
     ) -> Result<Vec<CameraSite>, SimulatorError> {
-        let mut cameras = Self::cameras(recipe, catalog, map)?;
+        let map = &scene.map;
+        let mut cameras = match recipe.sites {
+            PerVideo::Fixed => Self::cameras(recipe, catalog, map)?,
+            PerVideo::Drawn => scene.cameras.iter().map(|camera| camera.site.clone()).collect(),
+        };
         // The rig's are the same in all videos.
-        let video = self.scenes.iter().find(|scene| scene.map == map);
+        let video = self.scenes.iter().find(|other| other.map == *map);
         let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
         cameras.extend(sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)));
         Ok(cameras)
@@ -112,9 +122,9 @@ impl Plan {
     /// It is decided by the plan alone, so processes that know nothing of one another agree.
     pub fn shards(&self, of: u32) -> Vec<Vec<u32>> {
         let order = self.work_order();
-        let map = |video: &u32| &self.scenes[*video as usize].map;
+        let scene = |video: &u32| &self.scenes[*video as usize];
         let costs = |videos: &[u32]| videos.iter().map(|video| cost::cost(&self.scenes[*video as usize])).collect();
-        let groups: Vec<Vec<u64>> = order.chunk_by(|a, b| map(a) == map(b)).map(costs).collect();
+        let groups: Vec<Vec<u64>> = order.chunk_by(|a, b| scene(a).shares_town(scene(b))).map(costs).collect();
         let parts = Costs::new(&groups, cost::MAP_PIXELS).cut(of.clamp(1, Shard::MAX) as usize);
         parts.into_iter().map(|part| order[part].to_vec()).collect()
     }
@@ -171,34 +181,53 @@ fn events(recipe: &Recipe, video: u32) -> Vec<IncidentKind> {
     kinds.iter().copied().skip(video as usize % kinds.len().max(1)).take(1).collect()
 }
 
+/// The recorder's clock of a video.
+fn recorder_clock(recipe: &Recipe, video: u32, time_of_day: TimeOfDay) -> RecorderClock {
+    RecorderClock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]))
+}
+
+/// The camera of a number in a video, at its site.
+fn scene_camera(
+    recipe: &Recipe,
+    (video, time_of_day): (u32, TimeOfDay),
+    randomised: Option<&SceneRandomisation>,
+    (site, number): (CameraSite, u64),
+) -> SceneCamera {
+    let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), number]);
+    let clock = recorder_clock(recipe, video, time_of_day);
+    let look = CameraLook::new(recipe.camera_look, time_of_day, clock, &mut random);
+    let askew = randomised.filter(|r| r.varies(RandomisedPart::Camera));
+    let look = askew.map_or(look, |r| look.randomised(r.strength, &mut random));
+    SceneCamera { site, look }
+}
+
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites, rig } = combination;
-    let clock = RecorderClock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
+    let clock = recorder_clock(recipe, video, time_of_day);
     let seed = Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64();
     let strength = recipe.randomise_strength as f32;
     let randomised = SceneRandomisation::new(&recipe.randomise, strength, time_of_day, seed);
-    let camera = |(site, number): (&CameraSite, u64)| {
-        let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), number]);
-        let look = CameraLook::new(recipe.camera_look, time_of_day, clock, &mut random);
-        let askew = randomised.as_ref().filter(|r| r.varies(RandomisedPart::Camera));
-        let look = askew.map_or(look, |r| look.randomised(r.strength, &mut random));
-        SceneCamera { site: site.clone(), look }
-    };
+    let camera = |numbered| scene_camera(recipe, (video, time_of_day), randomised.as_ref(), numbered);
+    let cameras = sites.into_iter().cloned().zip(0..).map(camera).collect();
+    let town_seed = (recipe.town_seed == PerVideo::Drawn)
+        .then(|| Stream::named(recipe.seed, "town seed", &[u64::from(video)]).next_u64());
     SceneSettings {
         video,
         map: map.to_owned(),
+        town_seed,
+        drawn_sites: recipe.sites == PerVideo::Drawn,
         weather,
         time_of_day,
         changing_to: changing::to(recipe, video, weather, time_of_day),
-        cameras: sites.into_iter().zip(0..).map(camera).collect(),
+        cameras,
         sensors: scene_sensors(recipe, rig, video, time_of_day, clock),
         vehicles: recipe.vehicles,
         pedestrians: recipe.pedestrians,
         density: recipe.density,
         focus: recipe.focus,
         profile: TrafficProfile {
-            region: recipe.region,
+            region: recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)])),
             two_wheelers: recipe.two_wheelers,
             aggressiveness: recipe.aggressiveness,
             parked: recipe.parked,
@@ -226,7 +255,7 @@ mod tests {
     use super::*;
     use crate::{resolve_recipe, test_catalog::ThreeTowns};
     use endless_dataset::RecipeDraft;
-    use endless_world::{TimeOfDay, Weather};
+    use endless_world::Weather;
     use proptest::prelude::*;
     use std::collections::BTreeMap;
 

@@ -1,10 +1,14 @@
 //! Resolves the options of a user to a recipe.
 
 use crate::{MapSource, RecipeError, TrackFileSummary, rig, text_position::line_and_column, user_camera};
-use endless_dataset::{Layer, OptionError, Recipe, RecipeDraft};
-use endless_world::{ActorDensity, TrafficDensity};
+use endless_dataset::{Layer, OptionError, Preset, Recipe, RecipeDraft};
+use endless_world::{ActorDensity, Stream, TrafficDensity};
 use serde_json::json;
-use std::{collections::BTreeMap, fs, path::Path};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+    path::Path,
+};
 
 /// File names have six digits.
 const MAX_FRAMES: f64 = 999_999.0;
@@ -47,11 +51,11 @@ pub fn recipe_from_text(text: &str, path: &Path) -> Result<RecipeDraft, RecipeEr
 /// The first thing that cannot be.
 pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Recipe, RecipeError> {
     let tracks = source.track_file();
-    let mut draft = played(draft, tracks.as_ref())?;
+    let mut draft = with_preset(played(draft, tracks.as_ref())?)?;
     let density = density(&mut draft)?;
     let mut draft = draft.or(RecipeDraft::defaults());
     draft.check()?;
-    let maps = maps(draft.maps.take(), source)?;
+    let maps = maps(draft.maps.take(), draft.seed.unwrap_or_default(), source)?;
     if tracks.is_some() && maps.len() != 1 {
         return Err(RecipeError::TracksOnMaps);
     }
@@ -128,6 +132,17 @@ fn played(mut draft: RecipeDraft, tracks: Option<&TrackFileSummary>) -> Result<R
     Ok(draft)
 }
 
+/// A draft with the values of its preset, if it names one, for what it does not give.
+fn with_preset(mut draft: RecipeDraft) -> Result<RecipeDraft, RecipeError> {
+    let Some(word) = draft.preset.take() else { return Ok(draft) };
+    let preset: Preset = word.trim().parse().map_err(OptionError::from)?;
+    let mut usual = recipe_from_text(preset.recipe(), Path::new(<&str>::from(preset)))?;
+    if draft.density.is_some() {
+        (usual.vehicles, usual.pedestrians) = (None, None);
+    }
+    Ok(draft.or(usual))
+}
+
 /// What follows from how busy the streets are: numbers that are not given, which are 0 in the recipe then.
 fn density(draft: &mut RecipeDraft) -> Result<ActorDensity, RecipeError> {
     let Some(word) = draft.density.take() else { return Ok(ActorDensity::default()) };
@@ -140,16 +155,53 @@ fn density(draft: &mut RecipeDraft) -> Result<ActorDensity, RecipeError> {
     Ok(ActorDensity { vehicles: unless_given(&mut draft.vehicles), pedestrians: unless_given(&mut draft.pedestrians) })
 }
 
+/// Numbers of random maps are below this.
+const RANDOM_MAPS: usize = 1_000_000;
+/// Most random maps of a recipe.
+const MOST_RANDOM_MAPS: usize = 100_000;
+
+/// As many random maps as `random:N` asks for, by the recipe's seed: the first of a longer list are those of a shorter one.
+/// `None` of any other word.
+fn random_maps(word: &str, seed: u64, source: &dyn MapSource) -> Option<Result<Vec<String>, RecipeError>> {
+    let count = word.strip_prefix("random:")?;
+    let wrong = || OptionError::OutOfRange {
+        field: "maps",
+        given: word.to_owned(),
+        rule: format!("random:N grows 1 to {MOST_RANDOM_MAPS} maps, with a simulator that has random maps"),
+    };
+    let count = count.parse::<usize>().ok().filter(|count| (1..=MOST_RANDOM_MAPS).contains(count));
+    let mut names = Vec::new();
+    let mut random = Stream::named(seed, "random maps", &[]);
+    let mut taken = BTreeSet::new();
+    while names.len() < count.unwrap_or(0) {
+        let number = random.below(RANDOM_MAPS) as u32;
+        if taken.insert(number) {
+            let Some(name) = source.random_map(number) else { break };
+            names.push(name);
+        }
+    }
+    Some(if names.is_empty() { Err(wrong().into()) } else { Ok(names) })
+}
+
 /// CARLA's layered maps (`Town01_Opt`) are the same towns.
-fn maps(given: Option<Vec<String>>, source: &dyn MapSource) -> Result<Vec<String>, RecipeError> {
+fn maps(given: Option<Vec<String>>, seed: u64, source: &dyn MapSource) -> Result<Vec<String>, RecipeError> {
     let Some(given) = given else { return Ok(source.maps()) };
     let known: Vec<String> = source.maps().into_iter().chain(source.imported()).collect();
     if given.is_empty() {
         return Err(OptionError::EmptyList { field: "maps", known }.into());
     }
     let mut chosen = Vec::new();
+    let mut random = Vec::new();
     for word in &given {
         let exact = word.trim();
+        if let Some(names) = random_maps(exact, seed, source) {
+            random.extend(names?);
+            continue;
+        }
+        if is_random(exact, source) && !known.iter().any(|k| k == exact) {
+            random.push(exact.to_owned());
+            continue;
+        }
         let plain = exact.strip_suffix("_Opt").unwrap_or(exact);
         let name = if known.iter().any(|k| k == exact) { exact } else { plain };
         if !known.iter().any(|k| k == name) {
@@ -157,7 +209,19 @@ fn maps(given: Option<Vec<String>>, source: &dyn MapSource) -> Result<Vec<String
         }
         chosen.push(name);
     }
-    Ok(known.iter().filter(|k| chosen.contains(&k.as_str())).cloned().collect())
+    let mut maps: Vec<String> = known.iter().filter(|k| chosen.contains(&k.as_str())).cloned().collect();
+    for name in random {
+        if !maps.contains(&name) {
+            maps.push(name);
+        }
+    }
+    Ok(maps)
+}
+
+/// Whether it is the name of a random map.
+fn is_random(name: &str, source: &dyn MapSource) -> bool {
+    let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+    digits.parse().ok().and_then(|number| source.random_map(number)).is_some_and(|random| random == name)
 }
 
 /// Videos are made of layers that are stored.

@@ -8,7 +8,7 @@ use endless_dataset::{Recipe, SpawnCounts};
 use endless_road::{Georeference, JunctionPlace};
 use endless_world::{
     Actor, CameraSite, InstanceId, LidarSweep, RadarScan, SceneSettings, SensorFrame, SensorLayers, SensorPose,
-    StagedIncidents, WorldState,
+    StagedIncidents, ViewSubject, WorldState,
 };
 use std::{collections::BTreeMap, time::Duration};
 
@@ -20,6 +20,11 @@ pub trait MapSource {
     /// The maps that the user imported, which are used only if named.
     fn imported(&self) -> Vec<String> {
         Vec::new()
+    }
+
+    /// Name of the random map of a number; `None` of simulators that have none.
+    fn random_map(&self, _number: u32) -> Option<String> {
+        None
     }
 
     /// Hash of an imported map's file; `None` for maps that come with the simulator.
@@ -72,6 +77,21 @@ pub struct TrackFileSummary {
     pub people: bool,
 }
 
+/// The cameras of a scene that are to be drawn.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SiteRequest {
+    /// By which they are drawn.
+    pub seed: u64,
+    /// By which the map's town is dressed; `None`: as it usually is.
+    pub town_seed: Option<u64>,
+    /// How many.
+    pub cameras: u32,
+    /// Whether they see the same street.
+    pub overlapping: bool,
+    /// What they look at.
+    pub views: Vec<ViewSubject>,
+}
+
 /// The camera sites of each map.
 pub trait MapCatalog {
     /// The camera sites of a map, in canonical order.
@@ -79,6 +99,17 @@ pub trait MapCatalog {
     /// # Errors
     /// When there is no such map or it cannot be made.
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError>;
+
+    /// New camera sites on a map, for each of these scenes; `None` where the map has no such views.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made, or the simulator draws no cameras.
+    fn draw_sites(&self, _map: &str, _scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
+        Err(SimulatorError::Unsupported {
+            what: "drawn camera sites".to_owned(),
+            instead: "use --sites fixed, or the built-in simulator",
+        })
+    }
 
     /// Of other places of a map's cameras, which see about as much of the street as the usual ones; any, where nobody
     /// knows. Each is a pair: the usual, the moved.

@@ -58,9 +58,9 @@ fn stream_in<S: Simulator>(
     let scenes: Vec<&SceneSettings> = order[skipped..].iter().map(|video| &plan.scenes[*video as usize]).collect();
     let mut index = options.first_frame;
     let (mut first, mut place) = (first, 0);
-    for same_map in scenes.chunk_by(|a, b| a.map == b.map) {
+    for same_map in scenes.chunk_by(|a, b| a.shares_town(b)) {
         let name = &same_map[0].map;
-        let cameras = plan.all_cameras(recipe, simulator, name)?;
+        let cameras = plan.all_cameras(recipe, simulator, same_map[0])?;
         progress.event(&ProgressEvent::LoadMap { map: name });
         let map = simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map })?;
         for &settings in same_map {

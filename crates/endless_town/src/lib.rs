@@ -53,8 +53,11 @@ mod town;
 mod view_check;
 
 pub use building::{building_styles, sample_building};
-pub use builtin::{NAMES, canonical_name, known_cameras, load};
-pub use dressing::{DetailSource, dress_map};
+pub use builtin::{
+    NAMES, canonical_name, draw_builtin_sites, known_cameras, load, load_with, random_name, random_number,
+};
+pub use camera::SiteDrawer;
+pub use dressing::{DetailSource, DressOptions, TownSites, draw_map_sites, dress_map, dress_map_with};
 pub use placement::{PlacedObject, Placement};
 pub use street_features::{PaintedCrosswalk, PaintedMark, PaintedStopLine, SidewalkStrip, StreetFeatures};
 pub use top_view::{top_view, top_view_of, whole_town};

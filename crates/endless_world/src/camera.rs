@@ -5,8 +5,9 @@ use glam::{DVec3, Mat3, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 
 /// What the camera is mounted on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, strum::IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Mount {
     /// A pole of its own or a lamp post.
     Pole,
@@ -14,6 +15,14 @@ pub enum Mount {
     TrafficLight,
     /// A building's wall.
     Wall,
+    /// The edge of a roof.
+    Roof,
+    /// A gantry over the carriageway.
+    Gantry,
+    /// A bridge over the road.
+    Bridge,
+    /// A mast of its own, higher than lamp posts.
+    Mast,
 }
 
 /// Position and direction of a surveillance camera.

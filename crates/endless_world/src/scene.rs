@@ -22,6 +22,12 @@ pub struct SceneSettings {
     pub video: u32,
     /// Map name, e.g. `Town03`.
     pub map: String,
+    /// Seed by which the map's town is dressed; `None`: as it usually is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub town_seed: Option<u64>,
+    /// The cameras were drawn for this video: the town is made for them alone.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub drawn_sites: bool,
     /// Weather.
     pub weather: Weather,
     /// Time of day.
@@ -75,6 +81,12 @@ pub struct SceneSettings {
 }
 
 impl SceneSettings {
+    /// Whether both are filmed in the same town.
+    pub fn shares_town(&self, other: &Self) -> bool {
+        let of_all = |scene: &Self| scene.town_seed.is_none() && !scene.drawn_sites;
+        self.video == other.video || self.map == other.map && of_all(self) && of_all(other)
+    }
+
     /// The cameras that stand still: those of the scene, then those of its rig.
     pub fn fixed_cameras(&self) -> Vec<FixedCamera> {
         let scene = self.cameras.iter().map(|camera| FixedCamera { camera: camera.clone(), size: self.size });

@@ -1,6 +1,6 @@
 //! What is driven on the streets of a scene, and how.
 
-use crate::UnknownName;
+use crate::{Stream, UnknownName};
 use serde::{Deserialize, Serialize};
 use strum::VariantArray as _;
 
@@ -28,6 +28,51 @@ impl Region {
     /// As options have it.
     pub fn name(self) -> &'static str {
         self.into()
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("region", given, Self::ALL)
+    }
+}
+
+/// Whose mix of vehicles drives in the videos of a recipe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum RegionChoice {
+    /// [`Region::European`] in all.
+    #[default]
+    European,
+    /// [`Region::NorthAmerican`] in all.
+    NorthAmerican,
+    /// [`Region::LatinAmerican`] in all.
+    LatinAmerican,
+    /// [`Region::SouthEastAsian`] in all.
+    SouthEastAsian,
+    /// Another in each, all as often.
+    Drawn,
+}
+
+impl RegionChoice {
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// The region of a video, by a stream of its own.
+    pub fn region(self, random: &mut Stream) -> Region {
+        match self {
+            Self::European => Region::European,
+            Self::NorthAmerican => Region::NorthAmerican,
+            Self::LatinAmerican => Region::LatinAmerican,
+            Self::SouthEastAsian => Region::SouthEastAsian,
+            Self::Drawn => *random.pick(Region::ALL),
+        }
+    }
+
+    /// Whether it is what holds where nothing is asked for.
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+    pub fn is_usual(&self) -> bool {
+        *self == Self::default()
     }
 
     fn unknown(given: &str) -> UnknownName {

@@ -11,7 +11,7 @@ use super::world::World;
 use endless_dataset::Recipe;
 use endless_pipeline::{Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError};
 use endless_road::{Georeference, JunctionPlace};
-use endless_world::{CameraSite, LensModel, SceneSettings, SensorLayers};
+use endless_world::{CameraSite, LensModel, PerVideo, SceneSettings, SensorLayers};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
@@ -150,6 +150,12 @@ impl MapSource for CarlaSimulator {
         }
         if recipe.cameras.values().flatten().any(|site| site.lens != LensModel::Pinhole) {
             return refuse("cameras but pinholes", "use lens = \"pinhole\", or the built-in simulator");
+        }
+        if recipe.town_seed != PerVideo::Fixed || recipe.sites != PerVideo::Fixed {
+            return refuse(
+                "drawn towns and sites",
+                "use --town-seed fixed and --sites fixed, or the built-in simulator",
+            );
         }
         if !recipe.events.is_empty() {
             return refuse("events", "leave out --events, or use the built-in simulator");

@@ -3,6 +3,7 @@
 mod counting_lines;
 mod option;
 mod options;
+mod preset;
 mod rig;
 mod schema;
 mod serde_size;
@@ -10,6 +11,7 @@ mod user_camera;
 
 pub use option::{OptionDefault, OptionError, OptionKind, RecipeOption, Vocabulary};
 pub use options::{MAX_CAMERAS, Recipe, RecipeDraft};
+pub use preset::Preset;
 pub use rig::{
     CameraSpec, CarrierClass, EventCameraSpec, LidarSpec, ModelSpec, MountSpec, Origin, PanTiltZoomKey,
     PointCloudFormat, SensorSpec, WayPointSpec,

@@ -5,12 +5,12 @@ use super::option::{
     OptionDefault::{Described, Value},
     OptionError, OptionKind, OptionValue, RecipeOption, Vocabulary,
 };
-use super::{rig::SensorSpec, serde_size, user_camera::UserCamera};
+use super::{preset::Preset, rig::SensorSpec, serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
 use endless_world::{
-    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, IncidentKind, RandomisedPart, Region,
-    SignalControl, TimeOfDay, TrafficDensity, Weather,
+    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, IncidentKind, PerVideo, RandomisedPart,
+    RegionChoice, SignalControl, TimeOfDay, TrafficDensity, ViewSubject, Weather,
 };
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -97,6 +97,8 @@ macro_rules! recipe_options {
 }
 
 recipe_options! {
+    /// A set of values for what is not given: surveillance, highway, junction, crowd or night (docs/variety.md).
+    preset: String, OptionKind::Word(Vocabulary::of::<Preset>()), Described("none");
     /// Number of videos. A video is one scene filmed by all its cameras.
     videos: i64 => u32, OptionKind::Whole { least: 1, most: MAX_VIDEOS }, Value("2");
     /// Moving vehicles in each scene, in addition to parked ones.
@@ -109,9 +111,10 @@ recipe_options! {
         OptionKind::Word(Vocabulary::of::<TrafficDensity>()), Described("the numbers of vehicles and pedestrians");
     /// Share of vehicles and pedestrians who come to the streets that the cameras see: 0 spreads them evenly over the map.
     focus: f64 => #[serde(default = "usual_focus")] f64, OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.8");
-    /// Whose mix of vehicles drives: european, north_american, latin_american or south_east_asian (docs/traffic.md).
-    region: String => #[serde(default, skip_serializing_if = "is_usual_region")] Region,
-        OptionKind::Word(Vocabulary::of::<Region>()), Value("european");
+    /// Whose mix of vehicles drives: european, north_american, latin_american or south_east_asian (docs/traffic.md); drawn,
+    /// another in each video.
+    region: String => #[serde(default, skip_serializing_if = "RegionChoice::is_usual")] RegionChoice,
+        OptionKind::Word(Vocabulary::of::<RegionChoice>()), Value("european");
     /// Share of motorcycles and bicycles among moving vehicles, instead of the region's.
     two_wheelers: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
         OptionKind::Number { least: 0.0, most: 1.0 }, Described("the region's");
@@ -144,8 +147,19 @@ recipe_options! {
     traffic_begin: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
         OptionKind::Number { least: -1e9, most: 1e9 }, Described("the first instant at which anybody is there");
     /// Maps to choose from; `endless maps` lists them. Your own can be imported from OpenDRIVE and OpenStreetMap files
-    /// (docs/maps.md).
+    /// (docs/maps.md). random:N grows N towns that nobody has drawn, by the seed; Random17 is the one of number 17.
     maps: Vec<String> => Vec<String>, OptionKind::Maps, Described("all that come with the program");
+    /// Whether each video has a town of its own on the roads of its map: fixed, the same town in all; drawn, other buildings,
+    /// colours, shops, trees, furniture and parked vehicles in each (docs/variety.md).
+    town_seed: String => #[serde(default, skip_serializing_if = "PerVideo::is_fixed")] PerVideo,
+        OptionKind::Word(Vocabulary::of::<PerVideo>()), Value("fixed");
+    /// Where cameras are: fixed, at the map's sites; drawn, at new places in every video, on poles, walls, roofs, gantries,
+    /// bridges and masts, with other lenses (docs/variety.md).
+    sites: String => #[serde(default, skip_serializing_if = "PerVideo::is_fixed")] PerVideo,
+        OptionKind::Word(Vocabulary::of::<PerVideo>()), Value("fixed");
+    /// What drawn cameras look at: street, junction, highway or square (where people are); maps that lack one show the others.
+    views: Vec<String> => #[serde(default = "all_views", skip_serializing_if = "are_all_views")] Vec<ViewSubject>,
+        OptionKind::Words(Vocabulary::of::<ViewSubject>()), Described("all");
     /// Your own cameras instead of the map's: a list in TOML or JSON (docs/maps.md).
     cameras: Vec<UserCamera> => #[serde(default, skip_serializing_if = "BTreeMap::is_empty")] BTreeMap<String, Vec<CameraSite>>,
         OptionKind::Cameras, Described("the map's");
@@ -250,11 +264,6 @@ fn is_whole(share: &f64) -> bool {
     *share == whole()
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
-fn is_usual_region(region: &Region) -> bool {
-    *region == Region::default()
-}
-
 fn usual_focus() -> f64 {
     0.8
 }
@@ -262,6 +271,14 @@ fn usual_focus() -> f64 {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
 fn is_zero(share: &f64) -> bool {
     *share == 0.0
+}
+
+fn all_views() -> Vec<ViewSubject> {
+    ViewSubject::ALL.to_vec()
+}
+
+fn are_all_views(views: &[ViewSubject]) -> bool {
+    views == ViewSubject::ALL
 }
 
 fn clean() -> CameraLookChoice {

@@ -2,7 +2,8 @@
 
 use super::{bake_cache::BakeCache, map::BuiltinMap, scene_boxes::SceneBoxes, session::BuiltinSession, track_fit};
 use crate::{
-    Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError, TrackFileSummary,
+    Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError, SiteRequest,
+    TrackFileSummary,
 };
 use endless_annotate::MapFeatures;
 use endless_asset::Catalogue;
@@ -10,6 +11,7 @@ use endless_city::SharedModels;
 use endless_dataset::Recipe;
 use endless_interchange::{MapLibrary, TrackFile};
 use endless_road::{Georeference, JunctionPlace, RoadNetwork};
+use endless_town::{DressOptions, SiteDrawer, TownSites};
 use endless_world::{CameraSite, SceneSettings, SensorLayers, Track};
 use rayon::prelude::*;
 use std::{collections::BTreeMap, sync::Arc};
@@ -86,6 +88,10 @@ impl MapSource for BuiltinSimulator {
         self.map_library.imported_names()
     }
 
+    fn random_map(&self, number: u32) -> Option<String> {
+        Some(endless_town::random_name(number))
+    }
+
     fn content_hash(&self, map: &str) -> Result<Option<String>, SimulatorError> {
         Ok(self.map_library.content_hash(map)?)
     }
@@ -107,6 +113,19 @@ impl MapSource for BuiltinSimulator {
 impl MapCatalog for BuiltinSimulator {
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
         Ok(self.map_library.cameras(map)?)
+    }
+
+    fn draw_sites(&self, map: &str, scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
+        let draw = |drawer: &SiteDrawer<'_>, scene: &SiteRequest| {
+            drawer.draw(scene.seed, scene.cameras as usize, scene.overlapping, &scene.views)
+        };
+        // Of the towns that are dressed anew each is built for its scene alone.
+        let parts = scenes.par_chunk_by(|a, b| a.town_seed == b.town_seed).map(|of_town| {
+            let ask = |drawer: &SiteDrawer<'_>| of_town.par_iter().map(|scene| draw(drawer, scene)).collect();
+            self.map_library.draw_sites(map, of_town[0].town_seed, ask)
+        });
+        let parts: Vec<Vec<Option<Vec<CameraSite>>>> = parts.collect::<Result<_, _>>()?;
+        Ok(parts.into_iter().flatten().collect())
     }
 
     fn see_as_well(&self, map: &str, moved: &[[CameraSite; 2]]) -> Result<Vec<bool>, SimulatorError> {
@@ -141,8 +160,17 @@ impl Simulator for BuiltinSimulator {
     }
 
     fn load_map(&self, wanted: &MapUse<'_>) -> Result<BuiltinMap, SimulatorError> {
-        let mut town = self.map_library.town_before(wanted.cameras, wanted.name)?;
-        let parked = wanted.videos.first().map_or(1.0, |video| video.profile.parked);
+        let first = wanted.videos.first();
+        let mut town = match first.filter(|video| video.town_seed.is_some() || video.drawn_sites) {
+            Some(video) => {
+                let cameras: Vec<CameraSite> = video.cameras.iter().map(|camera| camera.site.clone()).collect();
+                let sites = if video.drawn_sites { TownSites::Drawn(&cameras) } else { TownSites::Given(&cameras) };
+                let options = DressOptions { seed: video.town_seed, sites };
+                self.map_library.town_dressed(wanted.name, &options, wanted.cameras)?
+            }
+            None => self.map_library.town_before(wanted.cameras, wanted.name)?,
+        };
+        let parked = first.map_or(1.0, |video| video.profile.parked);
         town.keep_parked(parked);
         BuiltinMap::load(town, self.map_library.catalogue(), Arc::clone(&self.models), &self.cache, wanted.videos)
     }

@@ -5,7 +5,7 @@ use super::overlapping::{OverlappingSets, overlapping_sets};
 use super::subsets::{binomial, set_of_rank};
 use crate::{PlanError, rig::RigPlaces};
 use endless_dataset::Recipe;
-use endless_world::{CameraSite, Stream, TimeOfDay, Weather};
+use endless_world::{CameraSite, PerVideo, Stream, TimeOfDay, Weather};
 use std::collections::BTreeMap;
 
 /// A map and the cameras that can film it.
@@ -42,6 +42,8 @@ pub(super) struct Combinations<'a> {
 enum CameraSets {
     /// All of so many.
     All(u128),
+    /// One without cameras: they are drawn for each video.
+    Drawn,
     /// Those that see the same street.
     Overlapping(Vec<Vec<usize>>),
 }
@@ -64,6 +66,7 @@ impl CameraSets {
     fn count(&self) -> u128 {
         match self {
             Self::All(count) => *count,
+            Self::Drawn => 1,
             Self::Overlapping(sets) => sets.len() as u128,
         }
     }
@@ -79,6 +82,11 @@ impl<'a> Combinations<'a> {
         let mut count = 0u128;
         for of_map in maps {
             let MapSites { map, sites, .. } = of_map;
+            if recipe.sites == PerVideo::Drawn {
+                camera_sets.push(CameraSets::Drawn);
+                count += conditions;
+                continue;
+            }
             if sites.len() < wanted {
                 return Err(PlanError::FewCameras { map: map.clone(), cameras: sites.len(), wanted });
             }
@@ -110,6 +118,7 @@ impl<'a> Combinations<'a> {
         let MapSites { map: name, sites, rig, .. } = &self.maps[map];
         let set = match &self.camera_sets[map] {
             CameraSets::All(_) => set_of_rank(sites.len(), *cameras_per_scene as usize, set),
+            CameraSets::Drawn => Vec::new(),
             CameraSets::Overlapping(sets) => sets[set as usize].clone(),
         };
         Combination {

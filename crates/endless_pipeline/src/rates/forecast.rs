@@ -56,10 +56,10 @@ impl Forecast {
         let mut videos = Vec::with_capacity(plan.scenes.len());
         let mut slowest_shard_s = 0.0f64;
         for (shard, part) in Shard::all(shards).zip(plan.shards(shards)) {
-            let (mut loaded, mut shard_s) = (None, 0.0);
+            let (mut before, mut shard_s) = (None::<&endless_world::SceneSettings>, 0.0);
             for video in part {
                 let settings = &plan.scenes[video as usize];
-                let load_s = match loaded.replace(&settings.map) == Some(&settings.map) {
+                let load_s = match before.replace(settings).is_some_and(|other| other.shares_town(settings)) {
                     true => 0.0,
                     false => rates.on_map(&settings.map, |sample| sample.load_map_s),
                 };

@@ -52,7 +52,7 @@ pub fn measure_rates<S: Simulator>(
                 of,
                 camera_frames: measurements(&settings),
             });
-            let cameras = plan.all_cameras(recipe, simulator, &settings.map)?;
+            let cameras = plan.all_cameras(recipe, simulator, &settings)?;
             sample(simulator, recipe, (&settings, &cameras), &pool, &DatasetLayout::new(work.path()), progress)
         });
         samples.collect()

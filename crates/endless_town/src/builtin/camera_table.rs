@@ -11,5 +11,5 @@ static TOWNS: LazyLock<BTreeMap<String, Vec<CameraSite>>> =
 
 /// Camera sites of a built-in town with the built-in catalogue, without making the town; `None` of others.
 pub fn known_cameras(name: &str) -> Option<Vec<CameraSite>> {
-    TOWNS.get(super::canonical_name(name).ok()?).cloned()
+    TOWNS.get(&super::canonical_name(name).ok()?).cloned()
 }

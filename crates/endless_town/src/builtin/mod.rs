@@ -7,6 +7,8 @@ mod ladera;
 mod layout;
 mod layout_geometry;
 mod layout_intersection;
+mod random_region;
+mod random_town;
 mod town01;
 mod town02;
 mod town03;
@@ -16,12 +18,15 @@ mod town06;
 mod town07;
 mod town10hd;
 
-use crate::dressing::{TownPreset, dress};
-use crate::{Town, TownError};
+use crate::dressing::{DressOptions, TownPreset, draw_sites, dress};
+use crate::{SiteDrawer, Town, TownError};
 use endless_asset::Catalogue;
 use endless_road::RoadMap;
 
 pub use camera_table::known_cameras;
+
+/// Names of random towns begin so.
+const RANDOM: &str = "Random";
 
 type MakeLayout = fn() -> (RoadMap, TownPreset);
 
@@ -56,8 +61,20 @@ pub const NAMES: &[&str] = &names();
 ///
 /// # Errors
 /// [`TownError::UnknownMap`] if there is no such town.
-pub fn canonical_name(given: &str) -> Result<&'static str, TownError> {
+pub fn canonical_name(given: &str) -> Result<String, TownError> {
     find(given).map(|(name, _)| name)
+}
+
+/// Name of the random town of a number: nobody has drawn it, and the number is all there is of it.
+pub fn random_name(number: u32) -> String {
+    format!("{RANDOM}{number}")
+}
+
+/// The number of a random town, of its name.
+pub fn random_number(name: &str) -> Option<u32> {
+    let digits = name.strip_prefix(RANDOM)?;
+    let number: u32 = digits.parse().ok()?;
+    (random_name(number) == name).then_some(number)
 }
 
 /// Makes a built-in town. The same name gives the same town everywhere.
@@ -65,15 +82,43 @@ pub fn canonical_name(given: &str) -> Result<&'static str, TownError> {
 /// # Errors
 /// [`TownError::UnknownMap`] if there is no such town.
 pub fn load(name: &str, catalogue: &Catalogue) -> Result<Town, TownError> {
-    let (name, make) = find(name)?;
-    let (map, preset) = make();
-    dress(name, &map, &preset, catalogue)
+    load_with(name, &DressOptions::default(), catalogue)
 }
 
-fn find(given: &str) -> Result<(&'static str, MakeLayout), TownError> {
+/// Makes another town on the roads of a built-in one.
+///
+/// # Errors
+/// [`TownError::UnknownMap`] if there is no such town.
+pub fn load_with(name: &str, options: &DressOptions<'_>, catalogue: &Catalogue) -> Result<Town, TownError> {
+    let (name, make) = find(name)?;
+    let (map, preset) = make();
+    dress(&name, &map, &preset, options, catalogue)
+}
+
+/// Asks a drawer of new camera sites in a built-in town, dressed by a seed or as usual.
+///
+/// # Errors
+/// [`TownError::UnknownMap`] if there is no such town.
+pub fn draw_builtin_sites<R>(
+    name: &str,
+    seed: Option<u64>,
+    catalogue: &Catalogue,
+    ask: impl FnOnce(&SiteDrawer<'_>) -> R,
+) -> Result<R, TownError> {
+    let (name, make) = find(name)?;
+    let (map, preset) = make();
+    draw_sites(&name, &map, &preset, seed, catalogue, ask)
+}
+
+/// Of a town the name and what makes its layout.
+fn find(given: &str) -> Result<(String, Box<dyn FnOnce() -> (RoadMap, TownPreset)>), TownError> {
     let plain = given.strip_suffix("_Opt").unwrap_or(given);
+    if let Some(number) = random_number(plain) {
+        return Ok((plain.to_owned(), Box::new(move || random_town::make(number))));
+    }
     let unknown = || TownError::UnknownMap { given: given.to_owned(), known: NAMES.to_vec() };
-    TOWNS.into_iter().find(|(name, _)| *name == plain).ok_or_else(unknown)
+    let (name, make) = TOWNS.into_iter().find(|(name, _)| *name == plain).ok_or_else(unknown)?;
+    Ok((name.to_owned(), Box::new(make)))
 }
 
 #[cfg(test)]
@@ -82,8 +127,10 @@ mod tests {
 
     #[test]
     fn names_are_found_with_and_without_suffix() {
-        assert_eq!(canonical_name("Town01_Opt"), Ok("Town01"));
-        assert_eq!(canonical_name("Town10HD"), Ok("Town10HD"));
+        assert_eq!(canonical_name("Town01_Opt").as_deref(), Ok("Town01"));
+        assert_eq!(canonical_name("Town10HD").as_deref(), Ok("Town10HD"));
+        assert_eq!(canonical_name("Random7").as_deref(), Ok("Random7"));
+        assert!(["Random", "Random07", "Random-1", "Random99999999999"].map(random_number).iter().all(Option::is_none));
         let error = canonical_name("Town99").expect_err("no such map");
         assert!(error.to_string().contains("Town99") && error.to_string().contains("Town07"));
     }

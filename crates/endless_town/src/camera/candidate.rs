@@ -1,10 +1,11 @@
 //! Places from which a camera could look: beside lanes, at crossings and stop lines, on walls, at squares and in parks.
 
 use super::height_field::{HeightField, TopSurface};
+use super::roadside::{Roadside, beside};
 use super::surroundings::{BuildingPrism, OpenSpace};
 use crate::geometry::area;
 use crate::geometry::unit;
-use endless_road::{Lane, Polyline, RoadNetwork};
+use endless_road::{Lane, RoadNetwork};
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{CameraSite, LensModel, Mount};
 use glam::DVec2;
@@ -58,8 +59,6 @@ pub(crate) struct CameraCandidate {
     pub(crate) site: CameraSite,
 }
 
-/// From the edge of the carriageway to a pole, metres.
-pub(super) const POLE_M: f64 = 0.6;
 /// From which speed a road is a highway, m/s.
 const HIGHWAY_MPS: f64 = 16.0;
 /// Squares and parks smaller than this are no place, m².
@@ -140,38 +139,7 @@ pub(super) struct CandidateFinder<'a> {
     pub(super) found: Vec<CameraCandidate>,
 }
 
-/// A place beside a lane, and the direction of the lane there.
-struct Roadside {
-    foot: DVec2,
-    ground: f64,
-    road_z: f64,
-    forward: DVec2,
-    /// From the foot to the lane's centre line.
-    across: f64,
-}
-
 impl CandidateFinder<'_> {
-    /// The nearest place beside a lane where a pole could stand: to the right (−1) or in the median to the left (+1).
-    fn beside(&self, line: &Polyline, s: f64, width: f64, side: f64) -> Option<Roadside> {
-        let place = line.at(s);
-        let forward = unit(place.heading_rad);
-        let outwards = forward.perp() * side;
-        let here = place.position.truncate();
-        let reach = if side < 0.0 { 9.0 } else { 2.2 };
-        let free = |t: f64| {
-            let (z, top) = self.relief.at(here + outwards * t);
-            matches!(top, TopSurface::Walk | TopSurface::Green | TopSurface::Ground)
-                && (f64::from(z) - place.position.z).abs() < 1.5
-        };
-        let steps = (reach / 0.25) as usize;
-        let edge = (0..steps).map(|k| width / 2.0 + 0.1 + 0.25 * k as f64).find(|&t| free(t))?;
-        let t = edge + POLE_M - 0.1;
-        free(t).then(|| {
-            let foot = here + outwards * t;
-            Roadside { foot, ground: f64::from(self.relief.at(foot).0), road_z: place.position.z, forward, across: t }
-        })
-    }
-
     fn push(&mut self, view: ViewKind, beside: &Roadside, aim: DVec2, turned: CameraAim) {
         let towards = (aim - beside.foot).normalize_or(DVec2::X);
         let lens = beside.foot + towards * 0.4;
@@ -190,11 +158,11 @@ impl CandidateFinder<'_> {
         let to_middle = |b: &Roadside, more: f64| b.forward.perp() * -side * (b.across + more);
         if ends_at_junction && length > 30.0 {
             for back in [13.0, 19.0] {
-                let Some(b) = self.beside(line, length - back, lane.width_m, side) else { continue };
+                let Some(b) = beside(self.relief, line, length - back, lane.width_m, side) else { continue };
                 let aim = b.foot + b.forward * (back + 5.0) + to_middle(&b, lane.width_m);
                 self.push(ViewKind::Approach, &b, aim, pole(7.6, 72.0));
             }
-            if let Some(b) = self.beside(line, length - 2.0, lane.width_m, side) {
+            if let Some(b) = beside(self.relief, line, length - 2.0, lane.width_m, side) {
                 let aim = b.foot - b.forward * 22.0 + to_middle(&b, lane.width_m * 0.7);
                 self.push(ViewKind::Arm, &b, aim, pole(if wide { 9.0 } else { 6.8 }, 68.0));
                 for turn in [0.6f64, 1.05] {
@@ -208,7 +176,7 @@ impl CandidateFinder<'_> {
             let count = (length / 28.0).floor().min(12.0) as usize;
             for k in 1..count {
                 let s = length * k as f64 / count as f64;
-                let Some(b) = self.beside(line, s, lane.width_m, side) else { continue };
+                let Some(b) = beside(self.relief, line, s, lane.width_m, side) else { continue };
                 for ahead in [1.0, -1.0] {
                     let reach = if wide { 34.0 } else { 24.0 };
                     let aim = b.foot + b.forward * (ahead * reach) + to_middle(&b, lane.width_m * 0.5);
@@ -229,7 +197,7 @@ impl CandidateFinder<'_> {
                 if !(2.0..length - 2.0).contains(&s) {
                     continue;
                 }
-                let Some(b) = self.beside(line, s, lane.width_m, side) else { continue };
+                let Some(b) = beside(self.relief, line, s, lane.width_m, side) else { continue };
                 let aim = b.foot - b.forward * (away * 1.05) + to_middle(&b, lane.width_m * 0.4);
                 self.push(ViewKind::Crossing, &b, aim, pole(6.2, 70.0));
             }

@@ -1,7 +1,8 @@
 //! Camera candidates at squares and in parks.
 
-use super::candidate::{CameraAim, CameraCandidate, CandidateFinder, POLE_M, ViewKind, aimed};
+use super::candidate::{CameraAim, CameraCandidate, CandidateFinder, ViewKind, aimed};
 use super::height_field::TopSurface;
+use super::roadside::POLE_M;
 use crate::geometry::{inside, unit};
 use endless_world::Mount;
 use glam::DVec2;

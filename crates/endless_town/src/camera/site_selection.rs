@@ -126,14 +126,19 @@ fn unlike(a: &ScoredCandidate, b: &ScoredCandidate) -> f32 {
 
 /// The site with a name such as `junction_north`, unique among those before it.
 fn named(candidate: &CameraCandidate, before: &[CameraSite]) -> CameraSite {
+    named_by(candidate.view.name(), &candidate.site, before)
+}
+
+/// The site with a name that begins so, unique among those before it.
+pub(super) fn named_by(what: &str, site: &CameraSite, before: &[CameraSite]) -> CameraSite {
     const COMPASS: [&str; 8] = ["east", "northeast", "north", "northwest", "west", "southwest", "south", "southeast"];
-    let [x, y, _] = candidate.site.position.map(f64::from);
+    let [x, y, _] = site.position.map(f64::from);
     let octant = (atan2(y, x) / std::f64::consts::FRAC_PI_4).round().rem_euclid(8.0) as usize;
     let place = if DVec2::new(x, y).length() < 35.0 { "centre" } else { COMPASS[octant] };
-    let base = format!("{}_{place}", candidate.view.name());
+    let base = format!("{what}_{place}");
     let name = (1..)
         .map(|n| if n == 1 { base.clone() } else { format!("{base}_{n}") })
         .find(|name| before.iter().all(|site| site.name != *name))
         .unwrap_or(base.clone());
-    CameraSite { name, ..candidate.site.clone() }
+    CameraSite { name, ..site.clone() }
 }

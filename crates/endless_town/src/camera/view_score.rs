@@ -26,6 +26,9 @@ const BRIDGE_M: f32 = 45.0;
 const STEEP: f32 = 0.12;
 /// Places farther than this are not counted, metres.
 const FAR_SPOT_M: f32 = 85.0;
+/// The same two for long lenses.
+const LONG_REACH_M: f32 = 320.0;
+const LONG_SPOT_M: f32 = 220.0;
 /// Least share of the picture on road, sidewalk or square.
 pub(crate) const LEAST_PAVED: f32 = 0.32;
 /// Least share on road or sidewalk.
@@ -86,6 +89,9 @@ pub(crate) struct ViewScorer<'a> {
     pub(crate) relief: &'a HeightField,
     expected: Vec<ExpectedTraffic>,
     posts: Vec<TallProp>,
+    /// Furthest distances of what is told from the hills, and of places that count, metres.
+    reach_m: f32,
+    far_spot_m: f32,
 }
 
 impl<'a> ViewScorer<'a> {
@@ -110,7 +116,12 @@ impl<'a> ViewScorer<'a> {
         let walkers = network.walk.nodes.iter().map(|n| n.as_vec3());
         expected.extend(walkers.map(|at| ExpectedTraffic { at, weight: 0.5, size: 1.0, person: true }));
         expected.extend(parked.iter().map(|&at| ExpectedTraffic { at, weight: 1.2, size: 2.4, person: false }));
-        Self { relief, expected, posts }
+        Self { relief, expected, posts, reach_m: REACH_M, far_spot_m: FAR_SPOT_M }
+    }
+
+    /// One that looks further, as long lenses do.
+    pub(crate) fn looking_far(self) -> Self {
+        Self { reach_m: LONG_REACH_M, far_spot_m: LONG_SPOT_M, ..self }
     }
 
     /// What a site that is aimed at a level shows; `None` if it stands in something, or something stands close before it.
@@ -130,8 +141,8 @@ impl<'a> ViewScorer<'a> {
                 let k = camera.intrinsics;
                 let ray = Vec3::new((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1.0).normalize();
                 let direction = (camera.world_from_camera * ray).normalize();
-                let hit = self.relief.cast(lens, direction, REACH_M);
-                let (distance, mut top) = hit.unwrap_or((REACH_M, TopSurface::Beyond));
+                let hit = self.relief.cast(lens, direction, self.reach_m);
+                let (distance, mut top) = hit.unwrap_or((self.reach_m, TopSurface::Beyond));
                 // What passes over the road near by is a wall before it.
                 let above = lens.z + direction.z * distance - level as f32;
                 if distance < BRIDGE_M && above > BRIDGE_HEIGHT_M + STEEP * distance && top != TopSurface::Beyond {
@@ -209,7 +220,7 @@ impl<'a> ViewScorer<'a> {
     ) -> impl Iterator<Item = (u32, &'s ExpectedTraffic, f32)> + 's {
         const MARGIN: f32 = 20.0;
         (0..).zip(&self.expected).filter_map(move |(number, spot)| {
-            if spot.at.distance_squared(camera.position) > FAR_SPOT_M * FAR_SPOT_M {
+            if spot.at.distance_squared(camera.position) > self.far_spot_m * self.far_spot_m {
                 return None;
             }
             let (image, depth) = camera.project(spot.at + Vec3::Z * 0.7)?;

@@ -2,22 +2,19 @@
 
 use crate::camera::{self, BuildingPrism, CameraSurroundings, HeightField, OpenSpace, PropOcclusion};
 use crate::dressing::assembly::{PropPose, TownAssembly};
+use crate::geometry::unit;
 use endless_asset::Prop;
 use endless_road::RoadNetwork;
-use endless_world::CameraSite;
-use glam::{DVec2, DVec3, Vec3};
+use endless_world::{CameraSite, Mount};
+use glam::{DVec2, Vec3};
 
 /// Height of [`Prop::CameraPole`] as it is made, metres.
 const CAMERA_POLE_M: f32 = 6.0;
 
-/// Poles stand further than this from the middle of every lane, metres.
-const CLEAR_M: f64 = 1.3;
-/// Nor this near to the edge of one beside it.
-const EDGE_M: f64 = 0.25;
 /// Share of a picture that things near the lens may take.
 const MOST_HIDDEN: f32 = 0.03;
-/// Lanes this much higher or lower pass over or under.
-const OTHER_LEVEL_M: f64 = 2.5;
+/// Lenses hang so far before their poles, metres.
+const BEHIND_LENS_M: f64 = 0.4;
 
 /// Chooses camera sites among what stands already, and puts up their poles.
 pub(crate) fn set_up_cameras(
@@ -41,7 +38,7 @@ pub(crate) fn set_up_cameras(
             return false;
         }
         let Some((foot, ground)) = candidate.pole else { return true };
-        if blocks_lane(network, foot.extend(ground)) {
+        if camera::blocks_lane(network, foot.extend(ground)) {
             return false;
         }
         let height = f64::from(candidate.site.position[2]) - ground;
@@ -51,15 +48,19 @@ pub(crate) fn set_up_cameras(
     })
 }
 
-/// Whether something drives by so near that a pole would be hit. Lanes that widen or narrow run where the surface
-/// alone does not tell.
-fn blocks_lane(network: &RoadNetwork, foot: DVec3) -> bool {
-    network.lanes.iter().any(|lane| {
-        let (s, t) = lane.centerline.project(foot.truncate());
-        let nearest = lane.centerline.position(s);
-        let distance = nearest.truncate().distance(foot.truncate());
-        let beside = distance < t.abs() + 0.1;
-        let clear = if beside { CLEAR_M.max(lane.width_m / 2.0 + EDGE_M) } else { CLEAR_M };
-        distance < clear && (nearest.z - foot.z).abs() < OTHER_LEVEL_M
-    })
+/// Puts up the poles of cameras that are given, where there is room: right behind their lenses.
+pub(crate) fn put_up_poles(assembly: &mut TownAssembly<'_>, relief: &HeightField, cameras: &[CameraSite]) {
+    for camera in cameras.iter().filter(|camera| camera.mount == Mount::Pole) {
+        let [x, y, z] = camera.position.map(f64::from);
+        let yaw = f64::from(camera.yaw_rad);
+        let foot = DVec2::new(x, y) - unit(yaw) * BEHIND_LENS_M;
+        let ground = f64::from(relief.at(foot).0);
+        let scale = Vec3::new(1.0, 1.0, ((z - ground) as f32 + 0.1).max(0.5) / CAMERA_POLE_M);
+        assembly.put(
+            Prop::CameraPole,
+            PropPose { z: ground, scale, ..PropPose::new(foot, yaw) },
+            DVec2::splat(0.2),
+            None,
+        );
+    }
 }

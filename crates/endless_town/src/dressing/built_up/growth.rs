@@ -6,7 +6,7 @@ use crate::building::BuildingKind;
 use crate::building::{
     BuildingDimensions, BuildingOutline, LATIN, WindowNumbers, eaves, house, on_rectangle, size, storeys,
 };
-use crate::camera::BuildingPrism;
+use crate::camera::{BuildingPrism, builds_into_view};
 use crate::dressing::built_up::density::StreetDensity;
 use crate::dressing::built_up::footprint::PlacedBuilding;
 use crate::dressing::built_up::streets::{FootprintGrid, may_be_built_on};
@@ -16,7 +16,7 @@ use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
 use crate::geometry::{OccupiedSpace, Rect, inside, unit};
 use endless_road::{LandUse, Lane, RoadNetwork};
-use endless_world::Stream;
+use endless_world::{CameraSite, Stream};
 use glam::{Affine3A, DVec2, Quat};
 
 /// Land so far beside a lane's middle says what is built there, metres.
@@ -84,6 +84,8 @@ pub(crate) struct BuildingGrowth<'a> {
     pub(crate) preset: &'a TownPreset,
     /// The buildings of the map, if it has any: then it is believed where it says that nothing stands.
     pub(crate) mapped: Option<FootprintGrid>,
+    /// Cameras of which buildings keep clear.
+    pub(crate) sites: &'a [CameraSite],
     pub(crate) seed: u64,
 }
 
@@ -251,6 +253,7 @@ impl BuildingGrowth<'_> {
         let clear = self.clear_of_pavement(&rect.grown(margin)) && occupied.is_free(&rect.grown(eaves(kind)));
         let (low, high) = self.land.range(&rect.corners());
         let clear = clear && rect.corners().into_iter().all(|p| may_be_built_on(self.areas.at(p)));
+        let clear = clear && !builds_into_view(self.sites, &rect);
         (clear && high - low < STEEPEST_M && (low - place.position.z).abs() < 4.0).then_some(rect)
     }
 

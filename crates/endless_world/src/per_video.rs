@@ -1,0 +1,33 @@
+//! Whether something is the same in all videos.
+
+use crate::UnknownName;
+use serde::{Deserialize, Serialize};
+use strum::VariantArray as _;
+
+/// Whether all videos have the same of something, or each its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum PerVideo {
+    /// As the map has it.
+    #[default]
+    Fixed,
+    /// Drawn for every video, by the recipe's seed.
+    Drawn,
+}
+
+impl PerVideo {
+    /// Both.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// Whether it is as the map has it.
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+    pub fn is_fixed(&self) -> bool {
+        *self == Self::Fixed
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("choice", given, Self::ALL)
+    }
+}
