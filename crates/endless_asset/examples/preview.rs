@@ -3,7 +3,7 @@
 
 #![expect(clippy::print_stdout, reason = "it says what it drew")]
 
-use endless_asset::{Catalogue, Prop};
+use endless_asset::{Catalogue, Prop, VehicleModel};
 use endless_scene::{Material, Mesh, Surface};
 use endless_world::{Gait, VehicleModelId, VehicleRef, WalkerMotion};
 use glam::{Affine3A, Quat, Vec3};
@@ -28,7 +28,7 @@ fn main() -> Result<()> {
         "vehicles" => vehicles(&catalogue, filter),
         "people" => people(&catalogue),
         "gait" => gait(&catalogue),
-        "riders" => riders(&catalogue),
+        "riders" => riders(&catalogue, filter),
         "plants" => props(
             &catalogue,
             filter,
@@ -149,9 +149,10 @@ fn gait(catalogue: &Catalogue) -> Vec<Tile> {
     tiles
 }
 
-fn riders(catalogue: &Catalogue) -> Vec<Tile> {
+fn riders(catalogue: &Catalogue, filter: &str) -> Vec<Tile> {
     let mut tiles = Vec::new();
-    for (i, _) in catalogue.vehicles().iter().enumerate().filter(|(_, v)| v.spec.ridden) {
+    let ridden = |v: &VehicleModel| v.spec.ridden && v.spec.name.contains(filter);
+    for (i, _) in catalogue.vehicles().iter().enumerate().filter(|(_, v)| ridden(v)) {
         for (k, angle) in [90.0, 40.0, -130.0, 180.0].into_iter().enumerate() {
             let vehicle = VehicleRef { model: VehicleModelId::from_index(i), variant: k as u64 };
             let (mesh, tint) = with_wheels(catalogue, vehicle, true);

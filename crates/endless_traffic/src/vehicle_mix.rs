@@ -27,9 +27,8 @@ fn class_shares(region: Region) -> Option<[f64; 6]> {
     }
 }
 
-/// How many times as frequent a design is as in Europe, among others of its class.
-fn design_factor(region: Region, design: &str) -> f64 {
-    match (region, design) {
+fn regional_factor(region: Region, design: &str) -> Option<f64> {
+    Some(match (region, design) {
         (Region::NorthAmerican, "car.pickup" | "car.pickup_large") => 8.0,
         (Region::NorthAmerican, "car.suv_large" | "bus.school") => 4.0,
         (Region::NorthAmerican, "car.suv" | "car.crossover") => 1.6,
@@ -40,7 +39,39 @@ fn design_factor(region: Region, design: &str) -> f64 {
         (Region::SouthEastAsian, "motorcycle.scooter" | "motorcycle.commuter" | "car.taxi") => 3.0,
         (Region::SouthEastAsian, "car.city" | "car.mpv" | "car.pickup" | "van.minibus") => 2.0,
         (Region::SouthEastAsian, "motorcycle.cruiser" | "car.coupe" | "car.executive" | "bus.double") => 0.2,
-        _ => 1.0,
+        _ => THOUSAND * hardly_european(region).iter().find(|(name, _)| *name == design)?.1,
+    })
+}
+
+/// How many times as frequent a design is as in Europe, among others of its class.
+fn design_factor(region: Region, design: &str) -> f64 {
+    regional_factor(region, design).unwrap_or(1.0)
+}
+
+/// Designs that European streets hardly have count there as a thousandth.
+const THOUSAND: f64 = 1e3;
+
+/// Those that a region does have, with their frequency among the others of their class: three-wheelers, motorcycles for
+/// two.
+fn hardly_european(region: Region) -> &'static [(&'static str, f64)] {
+    match region {
+        Region::European | Region::NorthAmerican => &[],
+        Region::LatinAmerican => &[
+            ("car.auto_rickshaw", 1.5),
+            ("van.cargo_tricycle", 0.5),
+            ("motorcycle.underbone", 1.5),
+            ("motorcycle.underbone_delivery", 0.5),
+            ("motorcycle.scooter_for_two", 1.0),
+            ("motorcycle.commuter_for_two", 6.0),
+        ],
+        Region::SouthEastAsian => &[
+            ("car.auto_rickshaw", 8.0),
+            ("van.cargo_tricycle", 1.0),
+            ("motorcycle.underbone", 16.0),
+            ("motorcycle.underbone_delivery", 4.0),
+            ("motorcycle.scooter_for_two", 7.0),
+            ("motorcycle.commuter_for_two", 2.0),
+        ],
     }
 }
 
@@ -114,6 +145,29 @@ mod tests {
             for wanted in [0.0, 0.4, 1.0] {
                 let profile = TrafficProfile { region, two_wheelers: Some(wanted), ..TrafficProfile::default() };
                 assert!((share(profile, |spec| spec.class.two_wheeled()) - wanted).abs() < 1e-9, "{region}");
+            }
+        }
+    }
+
+    #[test]
+    fn three_wheelers_are_of_the_south() {
+        let three_wheelers = |region| {
+            share(TrafficProfile { region, ..TrafficProfile::default() }, |spec| {
+                ["car.auto_rickshaw", "van.cargo_tricycle"].contains(&spec.name)
+            })
+        };
+        assert!(three_wheelers(Region::European) < 1e-4);
+        assert!((0.005..0.03).contains(&three_wheelers(Region::LatinAmerican)));
+        assert!((0.01..0.06).contains(&three_wheelers(Region::SouthEastAsian)));
+    }
+
+    #[test]
+    fn a_region_has_only_what_the_catalogue_has() {
+        let specs = Catalogue::builtin().vehicle_specs();
+        for &region in Region::ALL {
+            for (name, _) in hardly_european(region) {
+                let total: f64 = specs.iter().filter(|spec| spec.name == *name).map(|spec| spec.frequency).sum();
+                assert!((THOUSAND * total - 1.0).abs() < 1e-9, "{region}: {name} {total}");
             }
         }
     }

@@ -43,6 +43,8 @@ pub(crate) enum Hat {
     Hood,
     /// Motorcycle helmet.
     FullHelmet,
+    /// Motorcycle helmet that leaves the face open.
+    OpenHelmet,
     /// Bicycle helmet.
     CycleHelmet,
 }

@@ -57,7 +57,7 @@ fn garment(garment: &Garment) -> Vec<ColoredPiece> {
 }
 
 fn hair(appearance: &Appearance) -> Option<Hairdo> {
-    let covered = matches!(appearance.hat, Hat::Headscarf | Hat::FullHelmet | Hat::Turban);
+    let covered = matches!(appearance.hat, Hat::Headscarf | Hat::FullHelmet | Hat::OpenHelmet | Hat::Turban);
     let color = (appearance.hair != Hair::Bald).then(|| color(&appearance.hair_color));
     (!covered).then(|| Hairdo { style: appearance.hair.word().into(), color })
 }

@@ -56,7 +56,7 @@ impl VehicleModel {
             acceleration_mps2: design.acceleration_mps2,
             frequency,
             parks: design.parks,
-            ridden: design.class.two_wheeled(),
+            ridden: design.ridden,
             trailer: joint.map(|j| TrailerSpec {
                 hitch_m: from_middle(j.hitch),
                 axle_m: from_middle(j.axle),
@@ -118,7 +118,7 @@ impl VehicleModel {
         self.parts().whole()
     }
 
-    /// The rider of a two-wheeler, in place, in the vehicle's object frame; `None` for other vehicles.
+    /// Who rides it, in place, in the vehicle's object frame; `None` for vehicles with a cabin.
     pub fn rider(&self, variant: u64) -> Option<Mesh> {
         Some(self.rider_body(variant)?.0)
     }

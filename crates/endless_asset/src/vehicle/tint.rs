@@ -75,6 +75,16 @@ pub(crate) const BICYCLES: &[PaintShare] = &[
     (10.0, [0.70, 0.66, 0.55]),
 ];
 
+/// Auto-rickshaws and cargo tricycles, painted to be seen.
+pub(crate) const THREE_WHEELERS: &[PaintShare] = &[
+    (24.0, [0.34, 0.012, 0.012]),
+    (20.0, [0.02, 0.10, 0.34]),
+    (18.0, [0.66, 0.44, 0.02]),
+    (16.0, [0.03, 0.20, 0.07]),
+    (12.0, [0.70, 0.70, 0.69]),
+    (10.0, [0.012, 0.012, 0.013]),
+];
+
 pub(crate) const WHITES: &[PaintShare] = &[(80.0, [0.74, 0.74, 0.73]), (20.0, [0.62, 0.62, 0.60])];
 pub(crate) const POLICE: &[PaintShare] =
     &[(55.0, [0.74, 0.74, 0.73]), (25.0, [0.010, 0.010, 0.011]), (20.0, [0.40, 0.41, 0.42])];

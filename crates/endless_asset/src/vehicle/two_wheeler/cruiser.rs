@@ -90,7 +90,9 @@ fn parts() -> Assembly {
         right_foot: Vec3::ZERO,
         lean_rad: -0.02,
         helmet: 0.95,
+        helmets: HelmetKind::Full,
         standing: false,
+        pillion: None,
     });
     a
 }

@@ -100,7 +100,9 @@ fn parts() -> Assembly {
         right_foot: Vec3::ZERO,
         lean_rad: 0.70,
         helmet: 0.98,
+        helmets: HelmetKind::Full,
         standing: false,
+        pillion: None,
     });
     a
 }
