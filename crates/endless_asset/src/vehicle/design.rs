@@ -191,4 +191,9 @@ pub(crate) static DESIGNS: &[VehicleDesign] = &[
     motorcycle("motorcycle.underbone_delivery", ELSEWHERE, 4, two_wheeler::underbone_delivery).cruising(20.0),
     motorcycle("motorcycle.scooter_for_two", ELSEWHERE, 2, two_wheeler::scooter_for_two).cruising(22.0),
     motorcycle("motorcycle.commuter_for_two", ELSEWHERE, 3, two_wheeler::commuter_for_two).cruising(25.0),
+    car("car.saloon_old", ELSEWHERE, 4, cars::old_saloon).painted(tint::OLD),
+    car("car.hatchback_old", ELSEWHERE, 4, cars::old_hatchback).painted(tint::OLD),
+    car("car.pickup_old", ELSEWHERE, 4, cars::old_pickup).painted(tint::OLD),
+    car("car.hatchback_worn", ELSEWHERE, 4, cars::worn_hatchback),
+    car("car.sedan_worn", ELSEWHERE, 4, cars::worn_sedan),
 ];

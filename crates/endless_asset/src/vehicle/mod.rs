@@ -17,12 +17,14 @@ mod lorry;
 mod model;
 mod paint;
 mod rider_fit;
+mod roof_load;
 mod shell;
 mod three_wheeler;
 mod tint;
 mod truck;
 mod two_wheeler;
 mod van;
+mod wear;
 mod wheel;
 
 pub use assemble::Trailer;

@@ -75,6 +75,20 @@ pub(crate) const BICYCLES: &[PaintShare] = &[
     (10.0, [0.70, 0.66, 0.55]),
 ];
 
+/// Cars of the eighties: fewer greys, more colours, faded.
+pub(crate) const OLD: &[PaintShare] = &[
+    (24.0, [0.62, 0.61, 0.57]),
+    (14.0, [0.30, 0.045, 0.035]),
+    (12.0, [0.06, 0.12, 0.24]),
+    (10.0, [0.40, 0.34, 0.23]),
+    (9.0, [0.17, 0.22, 0.28]),
+    (9.0, [0.30, 0.31, 0.31]),
+    (7.0, [0.06, 0.14, 0.09]),
+    (6.0, [0.16, 0.09, 0.05]),
+    (5.0, [0.03, 0.03, 0.032]),
+    (4.0, [0.50, 0.34, 0.06]),
+];
+
 /// Auto-rickshaws and cargo tricycles, painted to be seen.
 pub(crate) const THREE_WHEELERS: &[PaintShare] = &[
     (24.0, [0.34, 0.012, 0.012]),
