@@ -7,7 +7,7 @@ use super::texture_bake::TextureBaker;
 use super::{AssetEntry, ImportError, lamp};
 use crate::vehicle::{HelmetKind, RiderFit, VehicleModel, VehicleParts, Wheel};
 use endless_scene::{LightSlot, Mesh, Surface};
-use endless_world::{ObjectClass, VehicleSpec, fnv1a};
+use endless_world::{ObjectClass, Outfit, VehicleSpec, fnv1a};
 use glam::Vec3;
 use std::collections::BTreeMap;
 
@@ -90,6 +90,7 @@ pub(super) fn make(
             lean_rad: r.lean,
             helmet: r.helmet,
             helmets: if class == ObjectClass::Bicycle { HelmetKind::Cycle } else { HelmetKind::Full },
+            outfit: Outfit::Fair,
             standing: false,
             pillion: None,
         }),

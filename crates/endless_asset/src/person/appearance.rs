@@ -41,6 +41,8 @@ pub(crate) enum Hat {
     SiteHelmet,
     PeakedCap,
     Hood,
+    /// Of straw, a cone as wide as the shoulders.
+    Conical,
     /// Motorcycle helmet.
     FullHelmet,
     /// Motorcycle helmet that leaves the face open.

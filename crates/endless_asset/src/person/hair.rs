@@ -216,6 +216,11 @@ fn hat(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>) {
             s.add(head.shell(cover, color));
             drape(skin, body, if hood { 0.030 } else { 0.020 }, color);
         }
+        Hat::Conical => {
+            let cone = [(0.0, 0.55), (0.95, 0.0), (0.96, -0.02), (0.0, 0.50)];
+            let profile: Vec<(f32, f32)> = cone.iter().rev().map(|&(r, z)| (r * head.size, z * head.size)).collect();
+            s.add(Sculpt::lathe(&profile, 20, 40.0, color).at(head.at(Vec3::new(-0.02, 0.0, 0.74))));
+        }
         Hat::FullHelmet => full_helmet(&mut s, head, color),
         Hat::OpenHelmet => {
             let shell = Material { surface: Surface::Plastic, ..color };

@@ -68,8 +68,8 @@ pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> BodyKeypoints {
 }
 
 /// Their skin, 1 to 10 on the Monk scale.
-pub(crate) fn rider_skin_tone(variant: u64) -> u8 {
-    Appearance::riding(variant, None).tone as u8 + 1
+pub(crate) fn rider_skin_tone(fit: &RiderFit, variant: u64) -> u8 {
+    Appearance::riding(variant, None, fit.outfit).tone as u8 + 1
 }
 
 /// Who they are and what they wear.
@@ -94,7 +94,7 @@ fn appearance(fit: &RiderFit, variant: u64) -> Appearance {
         HelmetKind::Open => Hat::FullHelmet,
         HelmetKind::Cycle => Hat::CycleHelmet,
     };
-    let mut appearance = Appearance::riding(variant, wears.then_some(helmet));
+    let mut appearance = Appearance::riding(variant, wears.then_some(helmet), fit.outfit);
     if passenger(fit, variant).is_some() {
         // Whose back somebody leans on has nothing on it.
         appearance.carried = Carried::Nothing;

@@ -135,7 +135,7 @@ impl VehicleModel {
 
     /// That rider's skin, 1 to 10 on the Monk scale.
     pub fn rider_skin_tone(&self, variant: u64) -> Option<u8> {
-        self.spec.ridden.then(|| crate::person::rider_skin_tone(variant))
+        Some(crate::person::rider_skin_tone(self.fit()?, variant))
     }
 
     /// Who that rider is and what they wear.

@@ -1,5 +1,6 @@
 //! How people sit on a two-wheeler or a three-wheeler.
 
+use endless_world::Outfit;
 use glam::Vec3;
 
 /// Where a rider touches the vehicle: left side, object frame.
@@ -19,6 +20,8 @@ pub(crate) struct RiderFit {
     pub(crate) helmet: f64,
     /// Which one.
     pub(crate) helmets: HelmetKind,
+    /// The weather that riders of it are dressed for.
+    pub(crate) outfit: Outfit,
     /// Whether one stands on it.
     pub(crate) standing: bool,
     /// Who may sit behind.

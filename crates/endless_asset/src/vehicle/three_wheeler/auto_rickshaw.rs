@@ -10,7 +10,7 @@ use crate::vehicle::rider_fit::{HelmetKind, RiderFit};
 use crate::vehicle::two_wheeler::{mudguard, rod, v};
 use crate::vehicle::wheel::{Rim, wheel};
 use endless_scene::{Material, Surface};
-use endless_world::{ClassTag, math};
+use endless_world::{ClassTag, Outfit, math};
 use glam::{Vec2, Vec3};
 use std::f32::consts::PI;
 
@@ -90,6 +90,7 @@ impl Fittings {
             lean_rad: 0.04,
             helmet: 0.0,
             helmets: HelmetKind::Open,
+            outfit: Outfit::Hot,
             standing: false,
             pillion: None,
         });

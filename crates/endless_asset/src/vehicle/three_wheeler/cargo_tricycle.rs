@@ -10,7 +10,7 @@ use crate::vehicle::rider_fit::{HelmetKind, RiderFit};
 use crate::vehicle::two_wheeler::{hull, indicators, mirrors_and_bars, mudguard, rod, v};
 use crate::vehicle::wheel::{Rim, wheel};
 use endless_scene::{Material, Surface};
-use endless_world::ClassTag;
+use endless_world::{ClassTag, Outfit};
 use glam::{Vec2, Vec3};
 
 const RADIUS: f32 = 0.265;
@@ -80,6 +80,7 @@ impl Fittings {
             lean_rad: 0.06,
             helmet: 0.25,
             helmets: HelmetKind::Open,
+            outfit: Outfit::Hot,
             standing: false,
             pillion: None,
         });

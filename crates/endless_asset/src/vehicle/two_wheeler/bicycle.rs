@@ -178,6 +178,7 @@ impl BicycleFrame {
             lean_rad: self.lean_rad,
             helmet: self.helmet,
             helmets: HelmetKind::Cycle,
+            outfit: Outfit::Fair,
             standing: false,
             pillion: None,
         });

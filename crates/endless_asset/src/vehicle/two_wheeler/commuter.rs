@@ -133,6 +133,7 @@ fn commuter_parts() -> Assembly {
         lean_rad: 0.16,
         helmet: 0.97,
         helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
         pillion: None,
     });

@@ -91,6 +91,7 @@ fn parts() -> Assembly {
         lean_rad: -0.02,
         helmet: 0.95,
         helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
         pillion: None,
     });

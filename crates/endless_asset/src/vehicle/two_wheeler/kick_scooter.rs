@@ -42,6 +42,7 @@ fn parts() -> Assembly {
         lean_rad: 0.06,
         helmet: 0.3,
         helmets: HelmetKind::Cycle,
+        outfit: Outfit::Fair,
         standing: true,
         pillion: None,
     });

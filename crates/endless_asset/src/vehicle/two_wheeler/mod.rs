@@ -24,6 +24,7 @@ use super::rider_fit::{HelmetKind, PillionFit, RiderFit};
 use super::wheel::{Rim, wheel};
 use crate::shape::{Region, Sculpt};
 use endless_scene::Material;
+use endless_world::Outfit;
 use glam::{Vec2, Vec3};
 use goods::{delivery_box, loaded};
 
@@ -39,7 +40,13 @@ fn size([front, rear]: [f32; 2], width: f32, height: f32, axles: [f32; 2], wheel
 /// Ridden by two as often as not, and not always with a helmet.
 fn for_two(blueprint: VehicleBlueprint, helmet: f64, pillion: PillionFit) -> VehicleBlueprint {
     blueprint.with(move |a| {
-        a.fit = a.fit.map(|f| RiderFit { helmet, helmets: HelmetKind::Open, pillion: Some(pillion), ..f });
+        a.fit = a.fit.map(|f| RiderFit {
+            helmet,
+            helmets: HelmetKind::Open,
+            outfit: Outfit::Hot,
+            pillion: Some(pillion),
+            ..f
+        });
     })
 }
 

@@ -116,6 +116,7 @@ fn scooter_parts() -> Assembly {
         lean_rad: 0.02,
         helmet: 0.93,
         helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
         pillion: None,
     });

@@ -101,6 +101,7 @@ fn parts() -> Assembly {
         lean_rad: 0.70,
         helmet: 0.98,
         helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
         pillion: None,
     });

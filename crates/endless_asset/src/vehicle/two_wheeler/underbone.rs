@@ -132,6 +132,7 @@ fn underbone_parts() -> Assembly {
         lean_rad: 0.06,
         helmet: 0.82,
         helmets: HelmetKind::Open,
+        outfit: Outfit::Hot,
         standing: false,
         pillion: Some(PillionFit { share: 0.34, seat: v(-0.53, 0.0, 0.82), foot: v(-0.32, 0.19, 0.345), helmet: 0.6 }),
     });
