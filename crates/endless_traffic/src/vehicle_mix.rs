@@ -33,6 +33,7 @@ fn regional_factor(region: Region, design: &str) -> Option<f64> {
         (Region::NorthAmerican, "car.suv_large" | "bus.school") => 4.0,
         (Region::NorthAmerican, "car.suv" | "car.crossover") => 1.6,
         (Region::NorthAmerican, "car.micro" | "car.city" | "car.estate" | "bus.double") => 0.1,
+        (Region::NorthAmerican, "truck.semi" | "truck.tractor") => 0.1,
         (Region::LatinAmerican, "car.taxi" | "bus.midi" | "motorcycle.delivery") => 5.0,
         (Region::LatinAmerican, "car.pickup" | "car.city" | "van.minibus") => 2.0,
         (Region::LatinAmerican, "bus.double" | "car.micro") => 0.1,
@@ -52,13 +53,34 @@ fn design_factor(region: Region, design: &str) -> f64 {
 const THOUSAND: f64 = 1e3;
 
 /// Those that a region does have, with their frequency among the others of their class: three-wheelers, motorcycles for
-/// two.
+/// two, cars of several decades, what is loaded and lettered. Round figures, to be met and not to be counted.
 fn hardly_european(region: Region) -> &'static [(&'static str, f64)] {
     match region {
-        Region::European | Region::NorthAmerican => &[],
+        Region::European => &[],
+        Region::NorthAmerican => &[
+            ("car.saloon_old", 0.4),
+            ("car.pickup_old", 1.0),
+            ("car.hatchback_worn", 1.0),
+            ("car.sedan_worn", 3.0),
+            ("van.small_trade", 1.0),
+            ("van.panel_trade", 2.0),
+            ("truck.conventional", 2.5),
+        ],
         Region::LatinAmerican => &[
             ("car.auto_rickshaw", 1.5),
+            ("car.saloon_old", 3.0),
+            ("car.hatchback_old", 5.0),
+            ("car.pickup_old", 2.5),
+            ("car.hatchback_worn", 6.0),
+            ("car.sedan_worn", 4.0),
             ("van.cargo_tricycle", 0.5),
+            ("van.kei", 1.5),
+            ("van.cab_over", 3.0),
+            ("van.small_trade", 1.0),
+            ("van.panel_trade", 1.0),
+            ("truck.stake", 2.0),
+            ("truck.conventional", 0.4),
+            ("bus.colectivo", 3.0),
             ("motorcycle.underbone", 1.5),
             ("motorcycle.underbone_delivery", 0.5),
             ("motorcycle.scooter_for_two", 1.0),
@@ -66,7 +88,18 @@ fn hardly_european(region: Region) -> &'static [(&'static str, f64)] {
         ],
         Region::SouthEastAsian => &[
             ("car.auto_rickshaw", 8.0),
+            ("car.saloon_old", 1.0),
+            ("car.hatchback_old", 0.8),
+            ("car.pickup_old", 2.0),
+            ("car.hatchback_worn", 3.0),
+            ("car.sedan_worn", 3.0),
             ("van.cargo_tricycle", 1.0),
+            ("van.kei", 3.0),
+            ("van.cab_over", 4.0),
+            ("van.small_trade", 0.5),
+            ("van.panel_trade", 0.5),
+            ("truck.stake", 2.5),
+            ("bus.colectivo", 1.0),
             ("motorcycle.underbone", 16.0),
             ("motorcycle.underbone_delivery", 4.0),
             ("motorcycle.scooter_for_two", 7.0),

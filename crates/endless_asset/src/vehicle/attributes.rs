@@ -42,6 +42,8 @@ fn subclass(design: &str) -> &str {
         "car.saloon_old" | "car.sedan_worn" => "sedan",
         "car.hatchback_old" | "car.hatchback_worn" => "hatchback",
         "car.pickup_old" => "pickup",
+        "van.small_trade" => "small",
+        "van.panel_trade" => "panel",
         "motorcycle.scooter_for_two" => "scooter",
         "motorcycle.commuter_for_two" => "commuter",
         _ => design.split_once('.').map_or(design, |(_, body)| body),

@@ -3,7 +3,8 @@
 use super::assemble::VehicleBlueprint;
 use super::draw::DesignDraw;
 use super::tint::{self, PaintShare};
-use super::{articulated, bus, cars, emergency, fire, heavy, three_wheeler, truck, two_wheeler, van};
+use super::{articulated, bus, cars, conventional, emergency, fire, heavy, minivan};
+use super::{stake, three_wheeler, trade, truck, two_wheeler, van};
 use endless_world::ObjectClass;
 
 /// What all draws of a design have in common.
@@ -196,4 +197,11 @@ pub(crate) static DESIGNS: &[VehicleDesign] = &[
     car("car.pickup_old", ELSEWHERE, 4, cars::old_pickup).painted(tint::OLD),
     car("car.hatchback_worn", ELSEWHERE, 4, cars::worn_hatchback),
     car("car.sedan_worn", ELSEWHERE, 4, cars::worn_sedan),
+    van("van.kei", ELSEWHERE, 4, minivan::kei),
+    van("van.cab_over", ELSEWHERE, 4, minivan::cab_over),
+    van("van.small_trade", ELSEWHERE, 3, trade::small),
+    van("van.panel_trade", ELSEWHERE, 3, trade::panel),
+    truck("truck.stake", ELSEWHERE, 4, stake::stake),
+    truck("truck.conventional", ELSEWHERE, 3, conventional::conventional),
+    bus("bus.colectivo", ELSEWHERE, 4, bus::colectivo).painted(tint::COLECTIVOS),
 ];

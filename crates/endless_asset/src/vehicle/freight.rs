@@ -154,7 +154,7 @@ fn heap(low: Vec3, high: Vec2, top: f32, stream: &mut Stream) -> Sculpt {
                     let (a, b) = (i as f32 / n as f32, j as f32 / n as f32);
                     let bell = |t: f32| 1.0 - (2.0 * t - 1.0) * (2.0 * t - 1.0);
                     let rise = bell(a) * bell(b);
-                    let rough = if rise > 0.95 || rise < 0.05 { 0.0 } else { stream.range_f32(-0.03, 0.03) };
+                    let rough = if (0.05..=0.95).contains(&rise) { stream.range_f32(-0.03, 0.03) } else { 0.0 };
                     let z = low.z + 0.02 + (top - low.z - 0.02) * (0.45 + 0.55 * rise) + rough;
                     v(low.x + a * (high.x - low.x), low.y + b * (high.y - low.y), z)
                 })
@@ -163,6 +163,7 @@ fn heap(low: Vec3, high: Vec2, top: f32, stream: &mut Stream) -> Sculpt {
         .collect();
     s.grid(&rows, false, color);
     let mut s = s.smooth(60.0);
-    s.add(Sculpt::cuboid(low, high.extend(low.z + 0.3 * (top - low.z)), 0.0, color));
+    // What the heap's edge stands on.
+    s.add(Sculpt::cuboid(low, high.extend(low.z + 0.02 + 0.45 * (top - low.z - 0.02)), 0.0, color));
     s
 }

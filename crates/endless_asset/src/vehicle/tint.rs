@@ -89,6 +89,16 @@ pub(crate) const OLD: &[PaintShare] = &[
     (4.0, [0.50, 0.34, 0.06]),
 ];
 
+/// Small buses that their drivers own.
+pub(crate) const COLECTIVOS: &[PaintShare] = &[
+    (26.0, [0.70, 0.70, 0.68]),
+    (20.0, [0.40, 0.03, 0.02]),
+    (18.0, [0.02, 0.12, 0.36]),
+    (14.0, [0.66, 0.44, 0.02]),
+    (12.0, [0.03, 0.22, 0.09]),
+    (10.0, [0.55, 0.20, 0.02]),
+];
+
 /// Auto-rickshaws and cargo tricycles, painted to be seen.
 pub(crate) const THREE_WHEELERS: &[PaintShare] = &[
     (24.0, [0.34, 0.012, 0.012]),

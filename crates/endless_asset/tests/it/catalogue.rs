@@ -128,9 +128,9 @@ fn vehicles_have_the_sizes_of_their_class() {
     for kind in Catalogue::vehicle_designs() {
         let (length, width, height) = match kind.class {
             ObjectClass::Car => ([2.3, 6.1], [1.45, 2.08], [1.2, 2.1]),
-            ObjectClass::Van => ([4.2, 6.5], [1.7, 2.1], [1.7, 2.95]),
+            ObjectClass::Van => ([3.2, 6.5], [1.42, 2.1], [1.7, 2.95]),
             ObjectClass::Truck => ([5.3, 9.5], [1.9, 2.66], [2.0, 3.9]),
-            ObjectClass::Bus => ([8.0, 13.0], [2.3, 2.56], [2.8, 4.6]),
+            ObjectClass::Bus => ([6.4, 13.0], [2.1, 2.56], [2.8, 4.6]),
             ObjectClass::Motorcycle => ([1.7, 2.4], [0.6, 0.95], [1.05, 1.45]),
             ObjectClass::Bicycle => ([1.0, 2.7], [0.4, 0.8], [0.9, 1.25]),
             ObjectClass::Rider | ObjectClass::Pedestrian => panic!("{} is no vehicle", kind.name),
@@ -141,7 +141,7 @@ fn vehicles_have_the_sizes_of_their_class() {
             if three_wheeled { ([2.5, 3.4], [1.2, 1.35], [1.25, 2.05]) } else { (length, width, height) };
         let (length, height) = match kind.class {
             ObjectClass::Car if draws => ([7.0, 8.8], height),
-            ObjectClass::Truck if draws => ([15.5, 17.0], [3.6, 4.05]),
+            ObjectClass::Truck if draws => ([15.5, 18.6], [3.6, 4.15]),
             ObjectClass::Bus if draws => ([17.5, 18.8], height),
             _ => (length, height),
         };

@@ -30,6 +30,7 @@ pub(crate) fn old_pickup(draw: &DesignDraw) -> VehicleBlueprint {
     let (cage, seed) = (draw.chance("cage", 0.4), draw.range("pieces", 0.0, 1e6) as u64);
     old(&shape, draw).with(move |a| {
         open_bed(&mut a.body, &shape);
+        housings(&mut a.body, &shape);
         let top = shape.deck.last().map_or(1.0, |p| p.1);
         let (x0, x1) = (shape.x(shape.length - 0.16), shape.x(shape.cabin_d[3] + 0.18));
         let y = shape.half_width - 0.15;
@@ -51,6 +52,15 @@ pub(crate) fn old_pickup(draw: &DesignDraw) -> VehicleBlueprint {
             }
         }
     })
+}
+
+/// Sheet over the rear wheels, which stand up into the bed.
+fn housings(body: &mut Sculpt, shape: &CarShape) {
+    let [_, rear] = shape.axles();
+    let r = shape.wheel_radius + 0.08;
+    let low = v(rear - r, shape.half_width - 0.39, shape.wheel_radius + 0.1);
+    let high = v(rear + r, shape.half_width - 0.128, shape.wheel_radius + r + 0.02);
+    body.add(Sculpt::cuboid(low, high, 0.04, paint::TRIM).both_sides());
 }
 
 fn old(shape: &CarShape, draw: &DesignDraw) -> VehicleBlueprint {

@@ -50,7 +50,7 @@ pub(crate) fn old_hatchback() -> CarShape {
         cabin_d: [1.08, 1.58, 3.20, 3.54],
         tumblehome: 0.15,
         pillars_d: vec![2.16, 2.94],
-        glass_end_d: [3.40, 3.14],
+        glass_end_d: [3.40, 3.13],
         doors_d: vec![1.14, 2.17, 2.98],
         upright_lamps: true,
         tail_lamp_z: [0.64, 0.86],
