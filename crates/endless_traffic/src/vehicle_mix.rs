@@ -6,7 +6,7 @@
 //! South-East Asian cities, and a fifth and more in Latin American ones, is told by Bray and Holyoak (2015, "Motorcycles in
 //! Developing Asian Cities: A Case Study of Hanoi") and by CAF's Observatory of Urban Mobility.
 
-use endless_world::{ObjectClass, Region, TrafficProfile, VehicleSpec};
+use endless_world::{LookPool, ObjectClass, Region, TrafficProfile, VehicleSpec};
 
 /// Shares of car, van, truck, bus, motorcycle and bicycle.
 const CLASSES: [ObjectClass; 6] = [
@@ -108,6 +108,13 @@ fn hardly_european(region: Region) -> &'static [(&'static str, f64)] {
     }
 }
 
+/// The looks of a model: as many more as it is more frequent than in Europe, if Europe hardly has it.
+pub(crate) fn looks(spec: &VehicleSpec, region: Region) -> LookPool {
+    let own = hardly_european(region).iter().any(|(name, _)| *name == spec.name);
+    let times = if own { design_factor(region, spec.name) } else { 1.0 };
+    LookPool::vehicles(&VehicleSpec { frequency: spec.frequency * times, ..spec.clone() })
+}
+
 /// The frequency of each of these models among moving vehicles; they need not sum to 1.
 pub(crate) fn frequencies(specs: &[VehicleSpec], profile: &TrafficProfile) -> Vec<f64> {
     let TrafficProfile { region, two_wheelers, .. } = *profile;
@@ -203,6 +210,14 @@ mod tests {
                 assert!((THOUSAND * total - 1.0).abs() < 1e-9, "{region}: {name} {total}");
             }
         }
+    }
+
+    #[test]
+    fn what_is_frequent_looks_in_many_ways() {
+        let specs = Catalogue::builtin().vehicle_specs();
+        let underbone = specs.iter().find(|spec| spec.name == "motorcycle.underbone").expect("in the catalogue");
+        let looks = |region| looks(underbone, region).size();
+        assert!(looks(Region::SouthEastAsian) > 5 * looks(Region::European));
     }
 
     #[test]

@@ -167,3 +167,28 @@ fn heap(low: Vec3, high: Vec2, top: f32, stream: &mut Stream) -> Sculpt {
     s.add(Sculpt::cuboid(low, high.extend(low.z + 0.02 + 0.45 * (top - low.z - 0.02)), 0.0, color));
     s
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loads_stay_in_their_bed_and_are_as_high_as_told() {
+        let (low, high) = (v(-1.5, -0.55, 0.6), Vec2::new(0.1, 0.55));
+        for freight in Freight::ALL {
+            for seed in 0..20 {
+                let height = freight.height(0.4);
+                let load = freight.on(low, high, height, seed);
+                if freight == Freight::Nothing {
+                    assert!(load.faces().is_empty());
+                    continue;
+                }
+                let (from, to) = load.bounds();
+                assert!((to.z - low.z - height).abs() < 0.03, "{freight:?} {seed}: {to}, {height} m");
+                assert!(from.z > low.z - 0.01, "{freight:?} {seed}: {from}");
+                let inside = from.cmpge(low - 0.03).all() && to.truncate().cmple(high + 0.03).all();
+                assert!(inside, "{freight:?} {seed}: {from} {to}");
+            }
+        }
+    }
+}
