@@ -80,7 +80,8 @@ impl Fittings {
         tail(&mut s);
         let mut a = Assembly::new(s, wheel(RADIUS, 0.115, 0.58, Rim::Steel, paint::STEEL), RADIUS);
         a.single(FRONT, true);
-        a.axle(REAR, HALF - 0.085, false);
+        // Half behind the panels.
+        a.axle(REAR, HALF - 0.125, false);
         a.headlights = self.lamps().map(|y| v(1.30, y, 0.74)).collect();
         a.fit = Some(RiderFit {
             seat: v(0.10, 0.0, 0.60),
@@ -220,9 +221,9 @@ fn under(s: &mut Sculpt) {
 /// The panels about the bench, over the rear wheels, and the engine's cover.
 fn tub(s: &mut Sculpt, band: bool) {
     let side = [
-        (-1.30, 0.50),
-        (-1.17, 0.455),
-        (-0.66, 0.455),
+        (-1.30, 0.44),
+        (-1.20, 0.35),
+        (-0.66, 0.35),
         (-0.60, FLOOR - 0.02),
         (-0.36, FLOOR - 0.02),
         (-0.40, 0.78),
