@@ -1,11 +1,11 @@
 //! Contact sheets of the catalogue, to look at: `cargo run --example preview -- vehicles OUT.png [filter]`, or `people`,
-//! `gait`, `riders`, `plants`, `furniture`. A small z-buffer rasteriser with sun, sky and mirrored sky.
+//! `far`, `gait`, `riders`, `plants`, `furniture`; of people and `far` the filter is the weather: `fair`, `rain`, `hot`, `cold`. A small z-buffer rasteriser with sun, sky and mirrored sky.
 
 #![expect(clippy::print_stdout, reason = "it says what it drew")]
 
-use endless_asset::{Catalogue, Prop};
+use endless_asset::{Catalogue, Prop, VehicleModel};
 use endless_scene::{Material, Mesh, Surface};
-use endless_world::{Gait, VehicleModelId, VehicleRef, WalkerMotion};
+use endless_world::{Gait, Outfit, PersonRef, VehicleModelId, VehicleRef, WalkerMotion};
 use glam::{Affine3A, Quat, Vec3};
 use std::io::BufWriter;
 
@@ -26,9 +26,10 @@ fn main() -> Result<()> {
     let catalogue = Catalogue::builtin();
     let tiles = match what.as_str() {
         "vehicles" => vehicles(&catalogue, filter),
-        "people" => people(&catalogue),
+        "people" => people(&catalogue, outfit(filter)?),
+        "far" => return sheet_of(&far(&catalogue, outfit(filter)?), path),
         "gait" => gait(&catalogue),
-        "riders" => riders(&catalogue),
+        "riders" => riders(&catalogue, filter),
         "plants" => props(
             &catalogue,
             filter,
@@ -48,7 +49,7 @@ fn main() -> Result<()> {
             ],
         ),
         "furniture" => props(&catalogue, filter, FURNITURE),
-        _ => return Err("vehicles, people, gait, riders, plants or furniture".into()),
+        _ => return Err("vehicles, people, far, gait, riders, plants or furniture".into()),
     };
     sheet(&tiles, path)
 }
@@ -80,6 +81,17 @@ const FURNITURE: &[Prop] = &[
     Prop::CafeTable,
     Prop::Cabinet,
     Prop::Dumpster,
+    Prop::MarketStall,
+    Prop::FoodCart,
+    Prop::HandCart,
+    Prop::VendorBlanket,
+    Prop::CrateStack,
+    Prop::SandHeap,
+    Prop::BrickPallet,
+    Prop::BuildingStock,
+    Prop::ScaffoldBay,
+    Prop::LaundryLine,
+    Prop::SatelliteDish,
 ];
 
 fn with_wheels(catalogue: &Catalogue, vehicle: VehicleRef, rider: bool) -> Tinted {
@@ -117,10 +129,58 @@ fn vehicles(catalogue: &Catalogue, filter: &str) -> Vec<Tile> {
     tiles
 }
 
-fn people(catalogue: &Catalogue) -> Vec<Tile> {
+fn outfit(word: &str) -> Result<Outfit> {
+    match word {
+        "" | "fair" => Ok(Outfit::Fair),
+        "rain" => Ok(Outfit::Rain),
+        "hot" => Ok(Outfit::Hot),
+        "cold" => Ok(Outfit::Cold),
+        _ => Err("fair, rain, hot or cold".into()),
+    }
+}
+
+/// People as few pixels high as those far from a camera, each row of one height; every pixel is drawn as a square.
+fn far(catalogue: &Catalogue, outfit: Outfit) -> Vec<Vec<u8>> {
+    let heights = [12, 16, 20, 25, 50];
+    let mut pictures = Vec::new();
+    for pixels in heights {
+        for i in 0..8u64 {
+            let person = catalogue.dressed_person(PersonRef { outfit, seed: i });
+            let mesh = posed(&person, if i % 4 == 3 { Gait::Stand } else { Gait::Walk }, 0.37 * i as f32);
+            let high = mesh.bounds().1.z;
+            let tile = Tile { mesh, tint: [1.0; 3], angle: 35.0 + 47.0 * i as f32, elevation: 18.0 };
+            pictures.push(coarse(&draw(&tile), tile.height_px(high) / pixels as f32));
+        }
+    }
+    pictures
+}
+
+/// A picture of so many times fewer pixels, shown as large as before.
+fn coarse(picture: &[u8], factor: f32) -> Vec<u8> {
+    let cell = |at: usize| ((at as f32 / factor) as usize, factor);
+    let span = |k: usize| ((k as f32 * factor) as usize)..(((k + 1) as f32 * factor) as usize).min(TILE);
+    let linear = |v: u8| endless_world::math::pow(f32::from(v) / 255.0, 2.2);
+    let n = (TILE as f32 / factor) as usize + 1;
+    let mut small = vec![[0u8; 3]; n * n];
+    for (k, pixel) in small.iter_mut().enumerate() {
+        let (ys, xs) = (span(k / n), span(k % n));
+        let count = (ys.len() * xs.len()).max(1) as f32;
+        let mut sum = [0.0f32; 3];
+        for y in ys {
+            for x in xs.clone() {
+                (0..3).for_each(|c| sum[c] += linear(picture[(y * TILE + x) * 3 + c]));
+            }
+        }
+        *pixel = sum.map(|v| (endless_world::math::pow(v / count, 1.0 / 2.2) * 255.0) as u8);
+    }
+    let at = |k: usize| cell(k).0.min(n - 1);
+    (0..TILE * TILE).flat_map(|k| small[at(k / TILE) * n + at(k % TILE)]).collect()
+}
+
+fn people(catalogue: &Catalogue, outfit: Outfit) -> Vec<Tile> {
     (0..48)
         .map(|i| {
-            let person = catalogue.person(i);
+            let person = catalogue.dressed_person(PersonRef { outfit, seed: i });
             let gait = if i % 4 == 0 { Gait::Stand } else { Gait::Walk };
             let mesh = posed(&person, gait, 0.37 * i as f32);
             Tile { mesh, tint: [1.0; 3], angle: 35.0 + 47.0 * i as f32, elevation: 15.0 }
@@ -149,9 +209,10 @@ fn gait(catalogue: &Catalogue) -> Vec<Tile> {
     tiles
 }
 
-fn riders(catalogue: &Catalogue) -> Vec<Tile> {
+fn riders(catalogue: &Catalogue, filter: &str) -> Vec<Tile> {
     let mut tiles = Vec::new();
-    for (i, _) in catalogue.vehicles().iter().enumerate().filter(|(_, v)| v.spec.ridden) {
+    let ridden = |v: &VehicleModel| v.spec.ridden && v.spec.name.contains(filter);
+    for (i, _) in catalogue.vehicles().iter().enumerate().filter(|(_, v)| ridden(v)) {
         for (k, angle) in [90.0, 40.0, -130.0, 180.0].into_iter().enumerate() {
             let vehicle = VehicleRef { model: VehicleModelId::from_index(i), variant: k as u64 };
             let (mesh, tint) = with_wheels(catalogue, vehicle, true);
@@ -163,7 +224,7 @@ fn riders(catalogue: &Catalogue) -> Vec<Tile> {
 
 fn props(catalogue: &Catalogue, filter: &str, list: &[Prop]) -> Vec<Tile> {
     let mut tiles = Vec::new();
-    for &prop in list.iter().filter(|p| format!("{p:?}").contains(filter)) {
+    for &prop in list.iter().filter(|p| filter.split(',').any(|word| format!("{p:?}").contains(word))) {
         for variant in 0..catalogue.prop_variants(prop).min(8) {
             let mesh = catalogue.prop(prop, variant);
             println!("{prop:?} {variant}: {} triangles", mesh.triangles.len());
@@ -181,7 +242,22 @@ struct Tile {
     elevation: f32,
 }
 
+impl Tile {
+    /// How many pixels high something upright of this height is drawn.
+    fn height_px(&self, height_m: f32) -> f32 {
+        let (low, high) = self.mesh.bounds();
+        let (low, high) = (low.min(Vec3::new(-0.3, -0.3, 0.0)), high.max(Vec3::new(0.3, 0.3, 0.5)));
+        let radius = 0.5 * (high - low).length();
+        height_m * endless_world::math::cos(self.elevation.to_radians()) * TILE as f32 * 2.0 / (4.2 * radius)
+    }
+}
+
 fn sheet(tiles: &[Tile], path: &str) -> Result<()> {
+    sheet_of(&tiles.iter().map(draw).collect::<Vec<_>>(), path)
+}
+
+/// Pictures of one size, beside and below each other.
+fn sheet_of(tiles: &[Vec<u8>], path: &str) -> Result<()> {
     let columns = if tiles.len().is_multiple_of(3) && tiles.len() < 12 {
         3
     } else if tiles.len().is_multiple_of(8) {
@@ -193,8 +269,7 @@ fn sheet(tiles: &[Tile], path: &str) -> Result<()> {
     let rows = tiles.len().div_ceil(columns);
     let (width, height) = (columns * TILE, rows * TILE);
     let mut pixels = vec![0u8; width * height * 3];
-    for (i, tile) in tiles.iter().enumerate() {
-        let picture = draw(tile);
+    for (i, picture) in tiles.iter().enumerate() {
         let (x0, y0) = (i % columns * TILE, i / columns * TILE);
         for y in 0..TILE {
             let to = ((y0 + y) * width + x0) * 3;

@@ -4,7 +4,7 @@
 
 use crate::person::{Appearance, Carried};
 use endless_world::ObjectClass::{self, Bicycle, Bus, Car, Motorcycle, Truck, Van};
-use endless_world::Stream;
+use endless_world::{Outfit, Stream};
 
 /// Id, CARLA's base type, length, width and height of CARLA's bounding box in metres (mirrors and riders included,
 /// where CARLA includes them), our design, and the draw of it that comes nearest.
@@ -79,7 +79,7 @@ pub(crate) fn walker(id: &str) -> Option<u64> {
     let mut stream = Stream::named(u64::from(n), "carla walker", &[]);
     loop {
         let variant = stream.next_u64();
-        let appearance = Appearance::of(variant, false);
+        let appearance = Appearance::of(variant, Outfit::Fair);
         match child {
             Some(height) if appearance.child() && (appearance.height - height).abs() < 0.06 => return Some(variant),
             None if !appearance.child() && appearance.carried != Carried::Wheelchair => return Some(variant),
@@ -91,14 +91,14 @@ pub(crate) fn walker(id: &str) -> Option<u64> {
 /// The variant of a person in a wheelchair that stands for one of CARLA's grown-up walkers when it uses one: of the sex
 /// of the one on foot. None for children.
 pub(crate) fn walker_in_wheelchair(id: &str) -> Option<u64> {
-    let on_foot = Appearance::of(walker(id)?, false);
+    let on_foot = Appearance::of(walker(id)?, Outfit::Fair);
     if on_foot.child() {
         return None;
     }
     let mut stream = Stream::named(u64::from(walker_number(id)?), "carla walker in a wheelchair", &[]);
     loop {
         let variant = stream.next_u64();
-        let appearance = Appearance::of(variant, false);
+        let appearance = Appearance::of(variant, Outfit::Fair);
         let like = appearance.carried == Carried::Wheelchair && appearance.female == on_foot.female;
         if like && !appearance.child() {
             return Some(variant);
@@ -141,7 +141,7 @@ mod tests {
         for (id, &variant) in walkers().zip(&people) {
             let n: u32 = id[id.len() - 4..].parse().expect("a number");
             let child = CHILDREN.iter().find(|c| c.0 == n);
-            let appearance = Appearance::of(variant, false);
+            let appearance = Appearance::of(variant, Outfit::Fair);
             assert_eq!(appearance.child(), child.is_some(), "{id}");
             assert!(child.is_none_or(|c| (appearance.height - c.1).abs() < 0.07), "{id}: {} m", appearance.height);
         }

@@ -159,7 +159,7 @@ impl Catalogue {
         }
     }
 
-    /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.
+    /// Who rides a two-wheeler or a three-wheeler, seated, in the vehicle's object frame; `None` for other models.
     pub fn rider(&self, vehicle: VehicleRef) -> Option<Mesh> {
         self.vehicle(vehicle.model)?.rider(vehicle.variant)
     }

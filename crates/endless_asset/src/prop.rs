@@ -182,6 +182,26 @@ pub enum Prop {
     Wheat,
     /// Boulder, about 1.5 m across.
     Rock,
+    /// Vendor's cart under a parasol or a roof, 1.4 m along x, handle towards −x, facing +y.
+    FoodCart,
+    /// Flat cart on two wheels, 1.5 m along x, handle towards −x, empty or loaded.
+    HandCart,
+    /// Goods spread on a blanket, 1.7 m along y, facing +x.
+    VendorBlanket,
+    /// Plastic crates, one on another.
+    CrateStack,
+    /// Sand or gravel as it was tipped, 2.4 m across.
+    SandHeap,
+    /// Bricks or blocks on a pallet.
+    BrickPallet,
+    /// Concrete pipes, reinforcing bars or sacks of cement, along x.
+    BuildingStock,
+    /// Bay of a scaffold, 2.5 m along x, its street side towards +y.
+    ScaffoldBay,
+    /// Clothes on lines between two poles 4 m apart along x.
+    LaundryLine,
+    /// Satellite dish on a short mast, looking up towards +x.
+    SatelliteDish,
 }
 
 impl Prop {

@@ -13,7 +13,7 @@ use crate::vehicle::Vehicle;
 use crate::vehicle_mix;
 use endless_road::LaneId;
 use endless_road::swept::OrientedRectangle;
-use endless_world::{LookPool, Region, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
+use endless_world::{Region, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
 
 /// Who waits so long for room to come takes another road, seconds.
 const PATIENCE_S: f64 = 6.0;
@@ -126,7 +126,7 @@ impl Arrivals {
         let entry = entries[own.weighted(&roads.attraction.preference(&entries, drawn))];
         let others = || vehicles.iter().chain(self.waiting.iter().map(|(vehicle, _)| vehicle));
         let taken = |variant| others().any(|v| v.asset == VehicleRef { model, variant });
-        let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
+        let variant = vehicle_mix::looks(spec, self.region).draw(own.next_u64(), taken);
         let driver = Driver::new(spec, view.condition, self.aggressiveness, &mut own);
         let half = 0.5 * f64::from(spec.length_m);
         let mut vehicle = Vehicle::new(spec, VehicleRef { model, variant }, driver, entry, half, own);

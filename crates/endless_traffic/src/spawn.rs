@@ -161,7 +161,7 @@ pub(crate) fn vehicles(
         tries = 0;
         let point = free.remove(place);
         let taken = |seed| placed.iter().any(|v| v.asset == VehicleRef { model, variant: seed });
-        let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
+        let variant = vehicle_mix::looks(spec, settings.profile.region).draw(own.next_u64(), taken);
         let asset = VehicleRef { model, variant };
         let driver = Driver::new(spec, &settings.condition, settings.profile.aggressiveness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);

@@ -6,7 +6,7 @@
 //! South-East Asian cities, and a fifth and more in Latin American ones, is told by Bray and Holyoak (2015, "Motorcycles in
 //! Developing Asian Cities: A Case Study of Hanoi") and by CAF's Observatory of Urban Mobility.
 
-use endless_world::{ObjectClass, Region, TrafficProfile, VehicleSpec};
+use endless_world::{LookPool, ObjectClass, Region, TrafficProfile, VehicleSpec};
 
 /// Shares of car, van, truck, bus, motorcycle and bicycle.
 const CLASSES: [ObjectClass; 6] = [
@@ -27,21 +27,92 @@ fn class_shares(region: Region) -> Option<[f64; 6]> {
     }
 }
 
-/// How many times as frequent a design is as in Europe, among others of its class.
-fn design_factor(region: Region, design: &str) -> f64 {
-    match (region, design) {
+fn regional_factor(region: Region, design: &str) -> Option<f64> {
+    Some(match (region, design) {
         (Region::NorthAmerican, "car.pickup" | "car.pickup_large") => 8.0,
         (Region::NorthAmerican, "car.suv_large" | "bus.school") => 4.0,
         (Region::NorthAmerican, "car.suv" | "car.crossover") => 1.6,
         (Region::NorthAmerican, "car.micro" | "car.city" | "car.estate" | "bus.double") => 0.1,
+        (Region::NorthAmerican, "truck.semi" | "truck.tractor") => 0.1,
         (Region::LatinAmerican, "car.taxi" | "bus.midi" | "motorcycle.delivery") => 5.0,
         (Region::LatinAmerican, "car.pickup" | "car.city" | "van.minibus") => 2.0,
         (Region::LatinAmerican, "bus.double" | "car.micro") => 0.1,
         (Region::SouthEastAsian, "motorcycle.scooter" | "motorcycle.commuter" | "car.taxi") => 3.0,
         (Region::SouthEastAsian, "car.city" | "car.mpv" | "car.pickup" | "van.minibus") => 2.0,
         (Region::SouthEastAsian, "motorcycle.cruiser" | "car.coupe" | "car.executive" | "bus.double") => 0.2,
-        _ => 1.0,
+        _ => THOUSAND * hardly_european(region).iter().find(|(name, _)| *name == design)?.1,
+    })
+}
+
+/// How many times as frequent a design is as in Europe, among others of its class.
+fn design_factor(region: Region, design: &str) -> f64 {
+    regional_factor(region, design).unwrap_or(1.0)
+}
+
+/// Designs that European streets hardly have count there as a thousandth.
+const THOUSAND: f64 = 1e3;
+
+/// Those that a region does have, with their frequency among the others of their class: three-wheelers, motorcycles for
+/// two, cars of several decades, what is loaded and lettered. Round figures, to be met and not to be counted.
+fn hardly_european(region: Region) -> &'static [(&'static str, f64)] {
+    match region {
+        Region::European => &[],
+        Region::NorthAmerican => &[
+            ("car.saloon_old", 0.4),
+            ("car.pickup_old", 1.0),
+            ("car.hatchback_worn", 1.0),
+            ("car.sedan_worn", 3.0),
+            ("van.small_trade", 1.0),
+            ("van.panel_trade", 2.0),
+            ("truck.conventional", 2.5),
+        ],
+        Region::LatinAmerican => &[
+            ("car.auto_rickshaw", 1.5),
+            ("car.saloon_old", 3.0),
+            ("car.hatchback_old", 5.0),
+            ("car.pickup_old", 2.5),
+            ("car.hatchback_worn", 6.0),
+            ("car.sedan_worn", 4.0),
+            ("van.cargo_tricycle", 0.5),
+            ("van.kei", 1.5),
+            ("van.cab_over", 3.0),
+            ("van.small_trade", 1.0),
+            ("van.panel_trade", 1.0),
+            ("truck.stake", 2.0),
+            ("truck.conventional", 0.4),
+            ("bus.colectivo", 3.0),
+            ("motorcycle.underbone", 1.5),
+            ("motorcycle.underbone_delivery", 0.5),
+            ("motorcycle.scooter_for_two", 1.0),
+            ("motorcycle.commuter_for_two", 6.0),
+        ],
+        Region::SouthEastAsian => &[
+            ("car.auto_rickshaw", 8.0),
+            ("car.saloon_old", 1.0),
+            ("car.hatchback_old", 0.8),
+            ("car.pickup_old", 2.0),
+            ("car.hatchback_worn", 3.0),
+            ("car.sedan_worn", 3.0),
+            ("van.cargo_tricycle", 1.0),
+            ("van.kei", 3.0),
+            ("van.cab_over", 4.0),
+            ("van.small_trade", 0.5),
+            ("van.panel_trade", 0.5),
+            ("truck.stake", 2.5),
+            ("bus.colectivo", 1.0),
+            ("motorcycle.underbone", 16.0),
+            ("motorcycle.underbone_delivery", 4.0),
+            ("motorcycle.scooter_for_two", 7.0),
+            ("motorcycle.commuter_for_two", 2.0),
+        ],
     }
+}
+
+/// The looks of a model: as many more as it is more frequent than in Europe, if Europe hardly has it.
+pub(crate) fn looks(spec: &VehicleSpec, region: Region) -> LookPool {
+    let own = hardly_european(region).iter().any(|(name, _)| *name == spec.name);
+    let times = if own { design_factor(region, spec.name) } else { 1.0 };
+    LookPool::vehicles(&VehicleSpec { frequency: spec.frequency * times, ..spec.clone() })
 }
 
 /// The frequency of each of these models among moving vehicles; they need not sum to 1.
@@ -116,6 +187,37 @@ mod tests {
                 assert!((share(profile, |spec| spec.class.two_wheeled()) - wanted).abs() < 1e-9, "{region}");
             }
         }
+    }
+
+    #[test]
+    fn three_wheelers_are_of_the_south() {
+        let three_wheelers = |region| {
+            share(TrafficProfile { region, ..TrafficProfile::default() }, |spec| {
+                ["car.auto_rickshaw", "van.cargo_tricycle"].contains(&spec.name)
+            })
+        };
+        assert!(three_wheelers(Region::European) < 1e-4);
+        assert!((0.005..0.03).contains(&three_wheelers(Region::LatinAmerican)));
+        assert!((0.01..0.06).contains(&three_wheelers(Region::SouthEastAsian)));
+    }
+
+    #[test]
+    fn a_region_has_only_what_the_catalogue_has() {
+        let specs = Catalogue::builtin().vehicle_specs();
+        for &region in Region::ALL {
+            for (name, _) in hardly_european(region) {
+                let total: f64 = specs.iter().filter(|spec| spec.name == *name).map(|spec| spec.frequency).sum();
+                assert!((THOUSAND * total - 1.0).abs() < 1e-9, "{region}: {name} {total}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_frequent_looks_in_many_ways() {
+        let specs = Catalogue::builtin().vehicle_specs();
+        let underbone = specs.iter().find(|spec| spec.name == "motorcycle.underbone").expect("in the catalogue");
+        let looks = |region| looks(underbone, region).size();
+        assert!(looks(Region::SouthEastAsian) > 5 * looks(Region::European));
     }
 
     #[test]

@@ -44,6 +44,10 @@ pub enum Outfit {
     Fair,
     /// Coats closed, hoods up, umbrellas open.
     Rain,
+    /// Arms and often legs bare, hats and parasols.
+    Hot,
+    /// Coats, caps of wool, boots.
+    Cold,
 }
 
 /// A person of the catalogue.

@@ -32,7 +32,7 @@ pub struct VehicleSpec {
     pub frequency: f64,
     /// Whether it may stand parked at a kerb.
     pub parks: bool,
-    /// Whether it has a rider.
+    /// Whether it has a rider: two-wheelers, and three-wheelers whose driver sits in the open.
     pub ridden: bool,
     /// The trailer that it tows; the axles are then those of the towing vehicle.
     pub trailer: Option<TrailerSpec>,

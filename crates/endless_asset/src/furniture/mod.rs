@@ -2,6 +2,7 @@
 
 mod advert;
 mod barrier;
+mod building;
 mod face;
 mod glyph;
 mod lamp;
@@ -15,6 +16,7 @@ mod sign_face;
 mod signal;
 mod small;
 mod square;
+mod vendor;
 mod wall;
 mod waste;
 
@@ -103,6 +105,16 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::StoneWall => wall::stone_wall(),
         Prop::ChainLink => wall::chain_link(),
         Prop::PicketFence => wall::picket_fence(),
+        Prop::FoodCart => vendor::food_cart(variant),
+        Prop::HandCart => vendor::hand_cart(variant),
+        Prop::VendorBlanket => vendor::vendor_blanket(variant),
+        Prop::CrateStack => vendor::crate_stack(variant),
+        Prop::SandHeap => building::sand_heap(variant),
+        Prop::BrickPallet => building::brick_pallet(variant),
+        Prop::BuildingStock => building::building_stock(variant),
+        Prop::ScaffoldBay => building::scaffold_bay(variant),
+        Prop::LaundryLine => building::laundry_line(variant),
+        Prop::SatelliteDish => building::satellite_dish(variant),
         Prop::BroadleafTree
         | Prop::Conifer
         | Prop::Palm
@@ -124,7 +136,12 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
 pub(crate) fn variants(prop: Prop) -> u32 {
     match prop {
         Prop::TrafficSign => CODES.len() as u32,
-        Prop::AdvertColumn | Prop::WheelieBins | Prop::RubbishBags => 4,
+        Prop::AdvertColumn
+        | Prop::WheelieBins
+        | Prop::RubbishBags
+        | Prop::FoodCart
+        | Prop::VendorBlanket
+        | Prop::CrateStack => 4,
         Prop::StreetLamp
         | Prop::SpeedSign
         | Prop::CafeTable
@@ -136,7 +153,11 @@ pub(crate) fn variants(prop: Prop) -> u32 {
         | Prop::SandwichBoard
         | Prop::Flagpole
         | Prop::NewsBox
-        | Prop::MarketStall => 3,
+        | Prop::MarketStall
+        | Prop::HandCart
+        | Prop::SandHeap
+        | Prop::BuildingStock
+        | Prop::LaundryLine => 3,
         Prop::Bin
         | Prop::PostBox
         | Prop::ParkLamp
@@ -146,7 +167,10 @@ pub(crate) fn variants(prop: Prop) -> u32 {
         | Prop::SpeedCamera
         | Prop::BottleBank
         | Prop::Skip
-        | Prop::Pallets => 2,
+        | Prop::Pallets
+        | Prop::BrickPallet
+        | Prop::ScaffoldBay
+        | Prop::SatelliteDish => 2,
         _ => 1,
     }
 }

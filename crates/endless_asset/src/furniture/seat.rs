@@ -72,7 +72,7 @@ pub(crate) fn cafe_table(variant: u32) -> Sculpt {
 }
 
 /// Eight panels, sagging between the ribs, with a valance; thin, closed below.
-fn parasol(cloth: Material) -> Sculpt {
+pub(super) fn parasol(cloth: Material) -> Sculpt {
     let n = 32;
     let ring = |r: f32, z: f32, sag: f32| -> Vec<Vec3> {
         (0..n)

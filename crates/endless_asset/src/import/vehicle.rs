@@ -5,9 +5,9 @@ use super::source_material::SourceMaterial;
 use super::static_model::{SIZE_TOLERANCE, stand};
 use super::texture_bake::TextureBaker;
 use super::{AssetEntry, ImportError, lamp};
-use crate::vehicle::{RiderFit, VehicleModel, VehicleParts, Wheel};
+use crate::vehicle::{HelmetKind, RiderFit, VehicleModel, VehicleParts, Wheel};
 use endless_scene::{LightSlot, Mesh, Surface};
-use endless_world::{ObjectClass, VehicleSpec, fnv1a};
+use endless_world::{ObjectClass, Outfit, VehicleSpec, fnv1a};
 use glam::Vec3;
 use std::collections::BTreeMap;
 
@@ -89,7 +89,10 @@ pub(super) fn make(
             right_foot: Vec3::ZERO,
             lean_rad: r.lean,
             helmet: r.helmet,
+            helmets: if class == ObjectClass::Bicycle { HelmetKind::Cycle } else { HelmetKind::Full },
+            outfit: Outfit::Fair,
             standing: false,
+            pillion: None,
         }),
     };
     let (low, high) = parts.whole().bounds();

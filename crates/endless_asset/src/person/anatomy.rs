@@ -3,7 +3,7 @@
 use super::appearance::{Appearance, Carried};
 use super::skeleton::{BONES, Bone, Skeleton};
 use super::{gait, hold, part, sit};
-use endless_world::{BodyKeypoints, FOOT_KEYPOINT_COUNT, Gait, KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
+use endless_world::{BodyKeypoints, FOOT_KEYPOINT_COUNT, Gait, KEYPOINT_COUNT, PersonRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
 
 /// The skeleton of one person, in motion.
@@ -19,7 +19,7 @@ pub struct Anatomy {
 impl Anatomy {
     /// Of a person.
     pub(crate) fn of(person: PersonRef) -> Self {
-        Self::with_appearance(person.seed, &Appearance::of(person.seed, person.outfit == Outfit::Rain))
+        Self::with_appearance(person.seed, &Appearance::of(person.seed, person.outfit))
     }
 
     pub(crate) fn with_appearance(variant: u64, appearance: &Appearance) -> Self {

@@ -41,8 +41,12 @@ pub(crate) enum Hat {
     SiteHelmet,
     PeakedCap,
     Hood,
+    /// Of straw, a cone as wide as the shoulders.
+    Conical,
     /// Motorcycle helmet.
     FullHelmet,
+    /// Motorcycle helmet that leaves the face open.
+    OpenHelmet,
     /// Bicycle helmet.
     CycleHelmet,
 }

@@ -57,7 +57,7 @@ fn garment(garment: &Garment) -> Vec<ColoredPiece> {
 }
 
 fn hair(appearance: &Appearance) -> Option<Hairdo> {
-    let covered = matches!(appearance.hat, Hat::Headscarf | Hat::FullHelmet | Hat::Turban);
+    let covered = matches!(appearance.hat, Hat::Headscarf | Hat::FullHelmet | Hat::OpenHelmet | Hat::Turban);
     let color = (appearance.hair != Hair::Bald).then(|| color(&appearance.hair_color));
     (!covered).then(|| Hairdo { style: appearance.hair.word().into(), color })
 }
@@ -100,7 +100,7 @@ mod tests {
     }
 
     fn everybody() -> impl ParallelIterator<Item = PersonRef> {
-        let outfits = [Outfit::Fair, Outfit::Rain];
+        let outfits = [Outfit::Fair, Outfit::Rain, Outfit::Hot, Outfit::Cold];
         (0..400u64).into_par_iter().flat_map_iter(move |seed| outfits.map(|outfit| PersonRef { outfit, seed }))
     }
 
@@ -133,8 +133,14 @@ mod tests {
 
     #[test]
     fn words_and_colors_vary() {
-        let people: Vec<PersonAttributes> =
-            (0..600).map(|seed| describe(&Appearance::of(seed, seed % 2 == 0), Reid::new("person", &[seed]))).collect();
+        let people: Vec<PersonAttributes> = (0..600)
+            .map(|seed| {
+                describe(
+                    &Appearance::of(seed, [Outfit::Rain, Outfit::Fair][seed as usize % 2]),
+                    Reid::new("person", &[seed]),
+                )
+            })
+            .collect();
         let words = |of: &dyn Fn(&PersonAttributes) -> Option<Word>| {
             people.iter().filter_map(of).collect::<BTreeSet<Word>>().len()
         };
@@ -155,8 +161,8 @@ mod tests {
     #[test]
     fn clothes_for_rain_leave_the_person() {
         for seed in 0..200 {
-            let [fair, rain] =
-                [false, true].map(|rain| describe(&Appearance::of(seed, rain), Reid::new("person", &[seed])));
+            let [fair, rain] = [Outfit::Fair, Outfit::Rain]
+                .map(|outfit| describe(&Appearance::of(seed, outfit), Reid::new("person", &[seed])));
             let body = |p: &PersonAttributes| (p.age_years, p.sex, p.height_m, p.skin_tone, p.beard.clone());
             assert_eq!(body(&fair), body(&rain), "{seed}");
         }
@@ -164,7 +170,9 @@ mod tests {
 
     #[test]
     fn umbrellas_are_for_rain() {
-        let carried = |rain| (0..300).filter(|&seed| Appearance::of(seed, rain).carried == Carried::Umbrella).count();
-        assert!(carried(true) > 8 * carried(false).max(1), "{} and {}", carried(true), carried(false));
+        let carried =
+            |outfit| (0..300).filter(|&seed| Appearance::of(seed, outfit).carried == Carried::Umbrella).count();
+        let [fair, rain] = [Outfit::Fair, Outfit::Rain].map(carried);
+        assert!(rain > 8 * fair.max(1), "{rain} and {fair}");
     }
 }

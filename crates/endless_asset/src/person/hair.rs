@@ -16,7 +16,7 @@ use std::f32::consts::{PI, TAU};
 /// Hair, then what covers it.
 pub(crate) fn add(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>) {
     let covered = match body.appearance.hat {
-        Hat::Headscarf | Hat::FullHelmet | Hat::Turban => return hat(skin, body, head),
+        Hat::Headscarf | Hat::FullHelmet | Hat::OpenHelmet | Hat::Turban => return hat(skin, body, head),
         Hat::None => 1.0,
         _ => 0.0,
     };
@@ -216,7 +216,22 @@ fn hat(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>) {
             s.add(head.shell(cover, color));
             drape(skin, body, if hood { 0.030 } else { 0.020 }, color);
         }
+        Hat::Conical => {
+            let cone = [(0.0, 0.55), (0.95, 0.0), (0.96, -0.02), (0.0, 0.50)];
+            let profile: Vec<(f32, f32)> = cone.iter().rev().map(|&(r, z)| (r * head.size, z * head.size)).collect();
+            s.add(Sculpt::lathe(&profile, 20, 40.0, color).at(head.at(Vec3::new(-0.02, 0.0, 0.74))));
+        }
         Hat::FullHelmet => full_helmet(&mut s, head, color),
+        Hat::OpenHelmet => {
+            let shell = Material { surface: Surface::Plastic, ..color };
+            // Down over the ears and the neck, open from the brow to the chin.
+            let cover = move |z: f32, angle: f32| {
+                let brow = lerp(0.66, 0.16, smoothstep(0.75, 1.15, angle.abs()));
+                lerp(-0.03, 0.15, smoothstep(brow - 0.04, brow + 0.03, z))
+            };
+            s.add(head.shell(cover, shell));
+            s.add(visor(head, 0.72, 0.22, shell));
+        }
         Hat::CycleHelmet => {
             let shell = Material { surface: Surface::Plastic, ..color };
             let ridges = move |z: f32, angle: f32| {

@@ -7,6 +7,7 @@ mod body;
 mod cage;
 mod carried;
 mod choice;
+mod climate;
 mod clothes;
 mod collar;
 mod dog;
@@ -67,7 +68,7 @@ pub struct PersonModel {
 
 /// What traffic needs to know of the person of a seed.
 pub(crate) fn pedestrian_spec(seed: u64) -> PedestrianSpec {
-    let appearance = Appearance::of(seed, false);
+    let appearance = Appearance::of(seed, Outfit::Fair);
     gait::GaitStyle::new(seed, &appearance).spec(&appearance)
 }
 
@@ -80,11 +81,11 @@ pub(crate) fn attributes(person: PersonRef) -> PersonAttributes {
 pub(crate) fn reid(person: PersonRef) -> Reid {
     let fair = PersonRef { outfit: Outfit::Fair, ..person };
     let same = appearance(person) == appearance(fair);
-    Reid::new("person look", &[person.seed, u64::from(!same)])
+    Reid::new("person look", &[person.seed, if same { 0 } else { person.outfit as u64 }])
 }
 
 fn appearance(person: PersonRef) -> Appearance {
-    Appearance::of(person.seed, person.outfit == Outfit::Rain)
+    Appearance::of(person.seed, person.outfit)
 }
 
 /// Thickness of cloth on the ground, metres.

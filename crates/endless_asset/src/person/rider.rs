@@ -1,17 +1,35 @@
 //! People on two wheels.
 
-use super::appearance::{Appearance, Hat};
+use super::appearance::{Appearance, Carried, Hat};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{BONES, Bone, Side};
 use super::{Anatomy, PersonModel, attributes};
-use crate::vehicle::RiderFit;
+use crate::vehicle::{HelmetKind, RiderFit};
 use endless_scene::Mesh;
 use endless_world::{BodyKeypoints, BodyPart, ClassTag, PersonAttributes, Reid, Stream, fnv1a};
 use glam::{Affine3A, Quat, Vec3};
 use std::sync::Arc;
 
 /// A person seated on a two-wheeler, in the vehicle's object frame, and the part of the body that each triangle shows.
+///
+/// Somebody who sits behind them is part of the same mesh: a rider is one object, whose box and pixels are those of all who
+/// ride. Keypoints, attributes and skin are told of the one who steers.
 pub(crate) fn rider_body(fit: &RiderFit, variant: u64) -> (Mesh, Arc<[BodyPart]>) {
+    let (mut mesh, parts) = seated_body(fit, variant);
+    let Some((fit, passenger)) = passenger(fit, variant) else { return (mesh, parts) };
+    let (behind, their_parts) = seated_body(&fit, passenger);
+    mesh.append(&behind, Affine3A::IDENTITY);
+    (mesh, parts.iter().chain(&*their_parts).copied().collect())
+}
+
+/// The seat behind, and the variant of the person on it; `None` if nobody is.
+fn passenger(fit: &RiderFit, variant: u64) -> Option<(RiderFit, u64)> {
+    let mut stream = Stream::named(variant, "pillion", &[]);
+    let share = fit.pillion?.share;
+    if !stream.chance(share) { None } else { Some((fit.behind()?, stream.next_u64())) }
+}
+
+fn seated_body(fit: &RiderFit, variant: u64) -> (Mesh, Arc<[BodyPart]>) {
     let appearance = appearance(fit, variant);
     let person = PersonModel::with_appearance(variant, &appearance);
     let pose = person.skinned(&seated(fit, &appearance, person.anatomy()));
@@ -50,8 +68,8 @@ pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> BodyKeypoints {
 }
 
 /// Their skin, 1 to 10 on the Monk scale.
-pub(crate) fn rider_skin_tone(variant: u64) -> u8 {
-    Appearance::riding(variant, None).tone as u8 + 1
+pub(crate) fn rider_skin_tone(fit: &RiderFit, variant: u64) -> u8 {
+    Appearance::riding(variant, None, fit.outfit).tone as u8 + 1
 }
 
 /// Who they are and what they wear.
@@ -59,18 +77,29 @@ pub(crate) fn rider_attributes(fit: &RiderFit, variant: u64) -> PersonAttributes
     attributes::describe(&appearance(fit, variant), Reid::new("rider", &[variant]))
 }
 
-/// The identity of their look: the same on any two-wheeler but for the helmet.
+/// The identity of their look: the same on any two-wheeler but for the helmet and who sits behind.
 pub(crate) fn rider_reid(fit: &RiderFit, variant: u64) -> Reid {
     let helmet = appearance(fit, variant).hat.word().unwrap_or_default();
-    Reid::new("rider look", &[variant, fnv1a(helmet.bytes())])
+    let look = [Some(variant), Some(fnv1a(helmet.bytes())), passenger(fit, variant).map(|p| p.1)];
+    Reid::new("rider look", &look.into_iter().flatten().collect::<Vec<_>>())
 }
 
 /// What they look like.
 fn appearance(fit: &RiderFit, variant: u64) -> Appearance {
     let mut stream = Stream::named(variant, "rider", &[]);
-    let helmet = if fit.helmet > 0.7 { Hat::FullHelmet } else { Hat::CycleHelmet };
     let wears = stream.chance(fit.helmet);
-    Appearance::riding(variant, wears.then_some(helmet))
+    let helmet = match fit.helmets {
+        HelmetKind::Full => Hat::FullHelmet,
+        HelmetKind::Open if stream.chance(0.5) => Hat::OpenHelmet,
+        HelmetKind::Open => Hat::FullHelmet,
+        HelmetKind::Cycle => Hat::CycleHelmet,
+    };
+    let mut appearance = Appearance::riding(variant, wears.then_some(helmet), fit.outfit);
+    if passenger(fit, variant).is_some() {
+        // Whose back somebody leans on has nothing on it.
+        appearance.carried = Carried::Nothing;
+    }
+    appearance
 }
 
 fn seated(fit: &RiderFit, appearance: &Appearance, anatomy: &Anatomy) -> [Affine3A; BONES] {

@@ -5,7 +5,7 @@ use super::appearance::{Appearance, Beard, Carried, Glasses, Hair, Hat};
 use super::choice::choose;
 use super::clothes::{Legs, Shoes};
 use super::{palette, wardrobe};
-use endless_world::{Stream, math};
+use endless_world::{Outfit, Stream, math};
 
 /// Median standing heights of boys and girls by age (WHO and CDC growth references), metres.
 const GROWTH: [(f32, f32, f32); 11] = [
@@ -31,8 +31,8 @@ fn median_height(age: f32, female: bool) -> f32 {
 }
 
 impl Appearance {
-    /// The looks of a variant, dressed for fair weather or for rain.
-    pub(crate) fn of(variant: u64, rain: bool) -> Self {
+    /// The looks of a variant, dressed for the weather.
+    pub(crate) fn of(variant: u64, outfit: Outfit) -> Self {
         let mut s = Stream::named(variant, "person", &[]);
         let female = s.chance(0.5);
         let age = match s.weighted(&[7.0, 8.0, 45.0, 26.0, 14.0]) {
@@ -58,7 +58,12 @@ impl Appearance {
             choose(&mut s, &BEARDS)
         };
         let clear = 0.16 + if age > 45.0 { 0.2 } else { 0.0 };
-        let sun = if rain || age < 12.0 { 0.0 } else { 0.14 };
+        let sun = match outfit {
+            Outfit::Rain => 0.0,
+            _ if age < 12.0 => 0.0,
+            Outfit::Hot => 0.3,
+            Outfit::Fair | Outfit::Cold => 0.14,
+        };
         let glasses = choose(&mut s, &[(Glasses::None, 1.0), (Glasses::Clear, clear), (Glasses::Sun, sun)]);
         let plain = palette::linear(endless_scene::Surface::Cloth, [0.5; 3]);
         let mut appearance = Self {
@@ -83,16 +88,16 @@ impl Appearance {
             bag_color: plain,
             outfit: "casual",
         };
-        wardrobe::dress(&mut appearance, &mut Stream::named(variant, "wardrobe", &[]), rain);
+        wardrobe::dress(&mut appearance, &mut Stream::named(variant, "wardrobe", &[]), outfit);
         appearance
     }
 
     /// A grown-up dressed to ride, as people on two wheels are.
-    pub(crate) fn riding(variant: u64, helmet: Option<Hat>) -> Self {
+    pub(crate) fn riding(variant: u64, helmet: Option<Hat>, outfit: Outfit) -> Self {
         let mut appearance = (0..)
-            .map(|i| Self::of(variant.wrapping_add(i * 0x9e37), false))
+            .map(|i| Self::of(variant.wrapping_add(i * 0x9e37), outfit))
             .find(|l| l.age > 17.0 && l.age < 66.0 && l.legs.can_ride())
-            .unwrap_or_else(|| Self::of(variant, false));
+            .unwrap_or_else(|| Self::of(variant, outfit));
         appearance.height = appearance.height.clamp(1.56, 1.86);
         if appearance.carried != Carried::Backpack {
             appearance.carried = Carried::Nothing;
@@ -101,7 +106,7 @@ impl Appearance {
         if let Some(hat) = helmet {
             appearance.hat = hat;
             appearance.hat_color = appearance.bag_color;
-        } else if matches!(appearance.hat, Hat::Brimmed | Hat::Fedora | Hat::Hood) {
+        } else if matches!(appearance.hat, Hat::Brimmed | Hat::Fedora | Hat::Hood | Hat::Conical) {
             appearance.hat = Hat::None;
         }
         appearance
@@ -110,7 +115,7 @@ impl Appearance {
 
 /// Skin of the person of a variant, 1 to 10 on the Monk scale.
 pub(crate) fn skin_tone(variant: u64) -> u8 {
-    Appearance::of(variant, false).tone as u8 + 1
+    Appearance::of(variant, Outfit::Fair).tone as u8 + 1
 }
 
 fn hair(s: &mut Stream, female: bool, age: f32, tone: usize) -> Hair {

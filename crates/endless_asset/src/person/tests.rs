@@ -1,3 +1,5 @@
+use super::appearance::Hat;
+use super::clothes::ShoeKind;
 use super::*;
 use endless_world::math::UnfusedQuat;
 use endless_world::walking::Footsteps;
@@ -202,7 +204,7 @@ fn who_stops_stands() {
 fn people_have_the_heights_of_their_age() {
     let mut ages = [0; 4];
     for variant in 0..400 {
-        let appearance = Appearance::of(variant, false);
+        let appearance = Appearance::of(variant, Outfit::Fair);
         let range = match appearance.age {
             a if a < 6.0 => 0.93..1.30,
             a if a < 13.0 => 1.02..1.72,
@@ -255,12 +257,36 @@ fn rain_changes_clothes_and_not_people() {
     assert!(umbrellas > 20 && hoods > 10, "{umbrellas} umbrellas, {hoods} hoods");
 }
 
+/// Heat bares arms and legs, cold covers them; nobody else changes.
+#[test]
+fn climate_changes_clothes_and_not_people() {
+    let (mut parasols, mut beanies) = (0, 0);
+    let mut bare = [0; 3];
+    for variant in 0..200 {
+        let outfits = [Outfit::Hot, Outfit::Fair, Outfit::Cold];
+        let looks = outfits.map(|outfit| Appearance::of(variant, outfit));
+        for (look, bare) in looks.iter().zip(&mut bare) {
+            assert_eq!((look.height, look.tone, look.female), (looks[1].height, looks[1].tone, looks[1].female));
+            let sleeve = look.garments.iter().map(|g| g.sleeve).fold(0.0, f32::max);
+            *bare += usize::from(sleeve < 0.6);
+        }
+        parasols += usize::from(looks[0].carried == Carried::Umbrella);
+        beanies += usize::from(matches!(looks[2].hat, Hat::Beanie | Hat::Hood));
+        assert!(looks[2].legs.end < 0.5 || looks[2].legs.end > 1.9, "{variant}: {}", looks[2].legs.name);
+        assert_ne!(looks[2].shoes.kind, ShoeKind::Sandals, "{variant}");
+    }
+    let [hot, fair, cold] = bare;
+    assert!(hot > 120 && hot > fair + 20 && cold < 20, "{bare:?} with bare arms");
+    assert!(parasols > 4 && beanies > 70, "{parasols} parasols, {beanies} beanies");
+}
+
 #[test]
 fn everything_is_worn_and_carried_by_somebody() {
     let (mut worn, mut carried, mut tones) =
         (std::collections::BTreeSet::new(), std::collections::BTreeSet::new(), [0; 10]);
     for variant in 0..6000 {
-        let traits = PersonTraits::new(&Appearance::of(variant, variant % 5 == 0));
+        let traits =
+            PersonTraits::new(&Appearance::of(variant, if variant % 5 == 0 { Outfit::Rain } else { Outfit::Fair }));
         worn.extend(traits.wears);
         carried.insert(traits.carries);
         tones[usize::from(traits.skin_tone) - 1] += 1;

@@ -2,17 +2,18 @@
 
 use super::appearance::{Appearance, Carried, Hat};
 use super::choice::choose;
+use super::climate::{against_cold, against_heat};
 use super::clothes::{Collar, FabricPattern, Garment, GarmentTop, Legs, ShoeKind, Shoes};
 use super::palette::{self, BRIGHT, CHINO, DENIM, JEWEL, LEATHERS, PALE, SOBER, TRAINERS, WEATHER, dyed};
 use crate::color_key::color_key;
 use endless_scene::{Material, Surface};
-use endless_world::{Stream, fnv1a};
+use endless_world::{Outfit, Stream, fnv1a};
 
 fn trainers(s: &mut Stream) -> Shoes {
     Shoes::new(ShoeKind::Trainers, dyed(s, Surface::Leather, TRAINERS))
 }
 
-fn leather(s: &mut Stream, kind: ShoeKind) -> Shoes {
+pub(super) fn leather(s: &mut Stream, kind: ShoeKind) -> Shoes {
     Shoes::new(kind, dyed(s, Surface::Leather, LEATHERS))
 }
 
@@ -24,13 +25,20 @@ fn shoes(s: &mut Stream, kinds: &[(ShoeKind, f64)]) -> Shoes {
 }
 
 /// Dresses somebody.
-pub(crate) fn dress(appearance: &mut Appearance, s: &mut Stream, rain: bool) {
+pub(crate) fn dress(appearance: &mut Appearance, s: &mut Stream, outfit: Outfit) {
+    let rain = outfit == Outfit::Rain;
     appearance.bag_color = dyed(s, Surface::Leather, BRIGHT);
     appearance.hat_color = dyed(s, Surface::Cloth, BRIGHT);
     let grown = appearance.age >= 17.0;
     let work = if grown && appearance.age < 66.0 { 1.0 } else { 0.0 };
     // How warm people dress differs as much as people do.
-    let warm = s.f32() < if rain { 0.85 } else { 0.34 };
+    let warm = s.f32()
+        < match outfit {
+            Outfit::Fair => 0.34,
+            Outfit::Rain => 0.85,
+            Outfit::Hot => 0.04,
+            Outfit::Cold => 0.98,
+        };
     let outfits = [
         ("casual", 62.0),
         ("office", 14.0 * work),
@@ -51,13 +59,18 @@ pub(crate) fn dress(appearance: &mut Appearance, s: &mut Stream, rain: bool) {
     if rain && !matches!(appearance.carried, Carried::Umbrella) {
         against_rain(appearance, s);
     }
+    match outfit {
+        Outfit::Hot => against_heat(appearance, s),
+        Outfit::Cold => against_cold(appearance, s),
+        Outfit::Fair | Outfit::Rain => {}
+    }
 }
 
-fn cloth(s: &mut Stream, palette: &[[u8; 3]]) -> Material {
+pub(super) fn cloth(s: &mut Stream, palette: &[[u8; 3]]) -> Material {
     dyed(s, Surface::Cloth, palette)
 }
 
-fn light_top(appearance: &Appearance, s: &mut Stream) -> Garment {
+pub(super) fn light_top(appearance: &Appearance, s: &mut Stream) -> Garment {
     let material = cloth(s, BRIGHT);
     let accent = cloth(s, BRIGHT);
     let long = s.chance(0.3);
@@ -98,7 +111,7 @@ fn warm_top(s: &mut Stream) -> Garment {
     }
 }
 
-fn outer(appearance: &Appearance, s: &mut Stream) -> Garment {
+pub(super) fn outer(appearance: &Appearance, s: &mut Stream) -> Garment {
     let material = cloth(s, WEATHER);
     let open = s.chance(0.45);
     let scarf = s.chance(0.2);
@@ -118,7 +131,7 @@ fn outer(appearance: &Appearance, s: &mut Stream) -> Garment {
     if scarf && !open { garment.collar(Collar::Scarf).pattern(FabricPattern::Plain, cloth(s, JEWEL)) } else { garment }
 }
 
-fn trousers(appearance: &Appearance, s: &mut Stream) -> Legs {
+pub(super) fn trousers(appearance: &Appearance, s: &mut Stream) -> Legs {
     let skin = appearance.skin;
     let [jeans, trousers, leggings, wide] =
         if appearance.female { [40.0, 26.0, 18.0, 16.0] } else { [52.0, 40.0, 0.0, 8.0] };
@@ -134,12 +147,12 @@ fn trousers(appearance: &Appearance, s: &mut Stream) -> Legs {
     }
 }
 
-fn shorts(appearance: &Appearance, s: &mut Stream) -> Legs {
+pub(super) fn shorts(appearance: &Appearance, s: &mut Stream) -> Legs {
     let end = if appearance.female { s.range_f32(1.1, 1.6) } else { s.range_f32(0.98, 1.2) };
     Legs::new("shorts", end, 0.007, 0.012, cloth(s, CHINO), appearance.skin)
 }
 
-fn stockings(appearance: &Appearance, s: &mut Stream, warm: bool) -> Material {
+pub(super) fn stockings(appearance: &Appearance, s: &mut Stream, warm: bool) -> Material {
     if warm || s.chance(0.2) { palette::linear(Surface::Cloth, [0.018, 0.018, 0.02]) } else { appearance.skin }
 }
 

@@ -17,6 +17,8 @@ impl Hat {
             Self::PeakedCap => "peaked_cap",
             Self::Hood => "hood",
             Self::FullHelmet => "motorcycle_helmet",
+            Self::Conical => "conical_hat",
+            Self::OpenHelmet => "open_helmet",
             Self::CycleHelmet => "bicycle_helmet",
         })
     }

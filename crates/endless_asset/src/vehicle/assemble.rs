@@ -219,13 +219,8 @@ impl Assembly {
             t.wheels.iter_mut().for_each(|w| w.position *= k);
             TowedAssembly { hitch: t.hitch * k, body: t.body.placed(grow), wheels: t.wheels }
         });
-        self.fit = self.fit.map(|f| RiderFit {
-            seat: f.seat * k,
-            grip: f.grip * k,
-            foot: f.foot * k,
-            right_foot: f.right_foot * k,
-            ..f
-        });
+        let grown = |f: RiderFit| RiderFit { right_foot: f.right_foot * k, ..f.moved(|p| p * k) };
+        self.fit = self.fit.map(grown);
         self
     }
 
@@ -259,7 +254,7 @@ impl Assembly {
         );
         let place = |p: Vec3| object_from_built.transform_point3(p);
         VehicleParts {
-            fit: self.fit.map(|f| RiderFit { seat: place(f.seat), grip: place(f.grip), foot: place(f.foot), ..f }),
+            fit: self.fit.map(|f| f.moved(place)),
             headlights: self.headlights.iter().map(|&p| place(p)).collect(),
             body: self.body.placed(object_from_built).into_mesh().into(),
             wheels: self.wheels,

@@ -3,7 +3,8 @@
 use super::assemble::VehicleBlueprint;
 use super::draw::DesignDraw;
 use super::tint::{self, PaintShare};
-use super::{articulated, bus, cars, emergency, fire, heavy, truck, two_wheeler, van};
+use super::{articulated, bus, cars, conventional, emergency, fire, heavy, minivan};
+use super::{stake, three_wheeler, trade, truck, two_wheeler, van};
 use endless_world::ObjectClass;
 
 /// What all draws of a design have in common.
@@ -20,6 +21,8 @@ pub(crate) struct VehicleDesign {
     pub(crate) frequency: f64,
     /// Whether it may stand parked at a kerb.
     pub(crate) parks: bool,
+    /// Whether who drives it sits in the open: an object of their own.
+    pub(crate) ridden: bool,
     /// How many draws the catalogue holds.
     pub(crate) draws: u8,
     pub(crate) paints: &'static [PaintShare],
@@ -36,6 +39,7 @@ const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
         acceleration_mps2: 2.0,
         frequency,
         parks: true,
+        ridden: false,
         draws,
         paints: tint::CARS,
         blueprint,
@@ -79,6 +83,7 @@ const fn motorcycle(name: &'static str, frequency: f64, draws: u8, blueprint: Dr
         class: ObjectClass::Motorcycle,
         cruise_mps: 34.0,
         acceleration_mps2: 2.4,
+        ridden: true,
         paints: tint::MOTORCYCLES,
         ..car(name, frequency, draws, blueprint)
     }
@@ -90,6 +95,7 @@ const fn bicycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawB
         cruise_mps: 4.8,
         acceleration_mps2: 0.9,
         parks: false,
+        ridden: true,
         paints: tint::BICYCLES,
         ..car(name, frequency, draws, blueprint)
     }
@@ -104,12 +110,21 @@ impl VehicleDesign {
         Self { parks: false, ..self }
     }
 
+    /// Driven in the open.
+    const fn ridden(self) -> Self {
+        Self { ridden: true, ..self }
+    }
+
     const fn cruising(self, cruise_mps: f32) -> Self {
         Self { cruise_mps, ..self }
     }
 }
 
-/// All of them, by class.
+/// The frequency of what European streets hardly have: regions that do have it take it this many thousand times
+/// (`vehicle_mix` of the traffic crate).
+const ELSEWHERE: f64 = 0.001;
+
+/// All of them: by class, then those of other regions and of other decades.
 pub(crate) static DESIGNS: &[VehicleDesign] = &[
     car("car.micro", 1.5, 2, cars::micro),
     car("car.city", 8.0, 3, cars::city),
@@ -165,4 +180,28 @@ pub(crate) static DESIGNS: &[VehicleDesign] = &[
     bicycle("bicycle.road", 0.4, 1, two_wheeler::road).cruising(7.0),
     bicycle("bicycle.cargo", 0.25, 1, two_wheeler::cargo).cruising(4.5),
     bicycle("bicycle.kick_scooter", 0.45, 1, two_wheeler::kick_scooter).cruising(5.0),
+    car("car.auto_rickshaw", ELSEWHERE, 4, three_wheeler::auto_rickshaw)
+        .painted(tint::THREE_WHEELERS)
+        .ridden()
+        .cruising(13.0),
+    van("van.cargo_tricycle", ELSEWHERE, 4, three_wheeler::cargo_tricycle)
+        .painted(tint::THREE_WHEELERS)
+        .ridden()
+        .cruising(11.0),
+    motorcycle("motorcycle.underbone", ELSEWHERE, 3, two_wheeler::underbone).cruising(22.0),
+    motorcycle("motorcycle.underbone_delivery", ELSEWHERE, 4, two_wheeler::underbone_delivery).cruising(20.0),
+    motorcycle("motorcycle.scooter_for_two", ELSEWHERE, 2, two_wheeler::scooter_for_two).cruising(22.0),
+    motorcycle("motorcycle.commuter_for_two", ELSEWHERE, 3, two_wheeler::commuter_for_two).cruising(25.0),
+    car("car.saloon_old", ELSEWHERE, 4, cars::old_saloon).painted(tint::OLD),
+    car("car.hatchback_old", ELSEWHERE, 4, cars::old_hatchback).painted(tint::OLD),
+    car("car.pickup_old", ELSEWHERE, 4, cars::old_pickup).painted(tint::OLD),
+    car("car.hatchback_worn", ELSEWHERE, 4, cars::worn_hatchback),
+    car("car.sedan_worn", ELSEWHERE, 4, cars::worn_sedan),
+    van("van.kei", ELSEWHERE, 4, minivan::kei),
+    van("van.cab_over", ELSEWHERE, 4, minivan::cab_over),
+    van("van.small_trade", ELSEWHERE, 3, trade::small),
+    van("van.panel_trade", ELSEWHERE, 3, trade::panel),
+    truck("truck.stake", ELSEWHERE, 4, stake::stake),
+    truck("truck.conventional", ELSEWHERE, 3, conventional::conventional),
+    bus("bus.colectivo", ELSEWHERE, 4, bus::colectivo).painted(tint::COLECTIVOS),
 ];

@@ -56,7 +56,7 @@ impl VehicleModel {
             acceleration_mps2: design.acceleration_mps2,
             frequency,
             parks: design.parks,
-            ridden: design.class.two_wheeled(),
+            ridden: design.ridden,
             trailer: joint.map(|j| TrailerSpec {
                 hitch_m: from_middle(j.hitch),
                 axle_m: from_middle(j.axle),
@@ -118,7 +118,7 @@ impl VehicleModel {
         self.parts().whole()
     }
 
-    /// The rider of a two-wheeler, in place, in the vehicle's object frame; `None` for other vehicles.
+    /// Who rides it, in place, in the vehicle's object frame; `None` for vehicles with a cabin.
     pub fn rider(&self, variant: u64) -> Option<Mesh> {
         Some(self.rider_body(variant)?.0)
     }
@@ -135,7 +135,7 @@ impl VehicleModel {
 
     /// That rider's skin, 1 to 10 on the Monk scale.
     pub fn rider_skin_tone(&self, variant: u64) -> Option<u8> {
-        self.spec.ridden.then(|| crate::person::rider_skin_tone(variant))
+        Some(crate::person::rider_skin_tone(self.fit()?, variant))
     }
 
     /// Who that rider is and what they wear.

@@ -19,7 +19,7 @@ impl CarShape {
     }
 
     /// Rub strip, the sliding door with its rail, and the split of the rear doors.
-    fn load_doors(&self, body: &mut Sculpt) {
+    pub(crate) fn load_doors(&self, body: &mut Sculpt) {
         let (first, last) = (self.doors_d[self.doors_d.len() - 1] + 0.05, self.length - 0.35);
         let belt = self.belt[2].1;
         body.paint_both(&self.panel(first, last, 0.62, 0.72), paint::TRIM);
@@ -71,6 +71,15 @@ pub(crate) fn camper(draw: &DesignDraw) -> VehicleBlueprint {
 /// A van for special service: long, high and without windows behind the doors.
 pub(crate) fn service_van(draw: &DesignDraw) -> CarShape {
     CarShape { rear_window: true, ..high_shape().drawn(draw) }
+}
+
+/// Small and large vans whose load cannot be seen.
+pub(crate) fn blind_small(draw: &DesignDraw) -> CarShape {
+    CarShape { rear_window: draw.chance("rear windows", 0.4), ..small_shape().drawn(draw) }
+}
+
+pub(crate) fn blind_panel(draw: &DesignDraw) -> CarShape {
+    CarShape { rear_window: draw.chance("rear windows", 0.4), ..panel_shape().drawn(draw) }
 }
 
 /// A minibus for special service.

@@ -1,6 +1,9 @@
 //! Buses: city, midi, double-decker, coach, school.
 
+mod colectivo;
 mod shape;
+
+pub(crate) use colectivo::colectivo;
 
 use super::assemble::{HitchMeasures, VehicleBlueprint};
 use super::car::{CarShape, Grille};

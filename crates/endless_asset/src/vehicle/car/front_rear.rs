@@ -8,6 +8,9 @@ use glam::{Vec2, Vec3};
 impl CarShape {
     /// Grille, bumper intake, headlamps, fog lamps, number plate.
     pub(super) fn front_face(&self, body: &mut Sculpt) {
+        if self.grille == Grille::Classic {
+            return self.classic_face(body);
+        }
         let w = self.half_width;
         let [z0, z1] = self.head_lamp_z;
         let front = |polygon: &[(f32, f32)], r: f32| {
@@ -45,6 +48,30 @@ impl CarShape {
         plate(body, Vec3::new(self.x(0.0), 0.0, c + 0.20), 1.0);
     }
 
+    /// A flat black grille between square lamps, indicators at the corners, the plate below the bumper.
+    fn classic_face(&self, body: &mut Sculpt) {
+        let w = self.half_width;
+        let [z0, z1] = self.head_lamp_z;
+        let front = |y0: f32, y1: f32, z0: f32, z1: f32, r: f32| {
+            let polygon = [(y0, z0), (y1, z0), (y1, z1), (y0, z1)];
+            Region::end(&rounded(&polygon, r)).facing(Vec3::X, 0.3).beyond(Vec3::X, self.x(0.5))
+        };
+        body.paint(&front(-0.90 * w, 0.90 * w, z0 - 0.015, z1 + 0.015, 0.01), paint::TRIM);
+        for i in 0..3 {
+            let z = z0 + 0.015 + 0.33 * (z1 - z0 - 0.02) * i as f32;
+            body.paint(&front(-0.50 * w, 0.50 * w, z, z + 0.012, 0.0), paint::STEEL);
+        }
+        body.paint_both(&front(0.55 * w, 0.83 * w, z0, z1, 0.012), paint::HEAD);
+        let corner = Region::end(&[(0.86 * w, z0), (w + 0.05, z0), (w + 0.05, z1), (0.86 * w, z1)].map(Vec2::from))
+            .beyond(Vec3::X, self.x(0.16))
+            .facing(Vec3::new(0.8, 0.6, 0.0), 0.22);
+        body.paint(&corner, paint::LEFT);
+        body.paint(&corner.mirrored(), paint::RIGHT);
+        let c = self.clearance;
+        body.paint(&front(-0.85 * w, 0.85 * w, c, c + 0.16, 0.0), paint::DARK);
+        plate(body, Vec3::new(self.x(-0.01), 0.0, c + 0.11), 1.0);
+    }
+
     fn grille(&self, body: &mut Sculpt) {
         let w = self.half_width;
         let [z0, z1] = self.head_lamp_z;
@@ -73,7 +100,7 @@ impl CarShape {
                 body.paint(&front(&opening(0.50, 0.52, z1 - 0.085, z1 - 0.03), 0.02), paint::DARK);
                 emblem = z1 - 0.057;
             }
-            Grille::Closed => emblem = z1 - 0.04,
+            Grille::Closed | Grille::Classic => emblem = z1 - 0.04,
             Grille::Tall => {
                 body.paint(&front(&opening(0.24, 0.38, self.clearance + 0.18, z1 - 0.02), 0.07), paint::CHROME);
                 body.paint(&front(&opening(0.23, 0.365, self.clearance + 0.195, z1 - 0.035), 0.065), paint::DARK);

@@ -17,6 +17,8 @@ pub(crate) enum Grille {
     Tall,
     /// Upright slots, as on off-roaders.
     Slots,
+    /// Black from one square lamp to the other, as in the eighties.
+    Classic,
 }
 
 /// Measures of a car. `d` is the distance from the front bumper backwards, metres.

@@ -55,7 +55,7 @@ impl CarShape {
             let rims = [5, 5, 6, 7, 9, 10].map(Rim::Alloy);
             self.rim = if draw.chance("steel rims", 0.12) { Rim::Steel } else { draw.pick("rims", &rims) };
         }
-        if self.grille != Grille::Slots {
+        if !matches!(self.grille, Grille::Slots | Grille::Classic) {
             use Grille::{Bars, Closed, Framed, Slit, Tall};
             self.grille = draw.pick("grille", &[Framed, Bars, Bars, Slit, Tall, Closed]);
         }

@@ -1,11 +1,17 @@
 //! The passenger cars of the catalogue.
 
+mod old;
 mod shape;
+
+pub(crate) use old::{old_hatchback, old_pickup, old_saloon};
 
 use super::assemble::{Assembly, VehicleBlueprint};
 use super::car::CarShape;
 use super::draw::DesignDraw;
 use super::paint;
+use super::roof_load::RoofLoad;
+use super::wear;
+use super::wheel::Rim;
 use crate::shape::{Region, Sculpt};
 use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
@@ -19,6 +25,32 @@ macro_rules! plain {
 }
 
 plain!(micro, city, hatchback, liftback, sedan, executive, estate, coupe, crossover, suv, large_suv, mpv);
+
+/// A hatchback that nobody has washed or mended for long.
+pub(crate) fn worn_hatchback(draw: &DesignDraw) -> VehicleBlueprint {
+    worn(draw.pick("base", &[shape::hatchback, shape::city, shape::hatchback])().drawn(draw), draw)
+}
+
+/// The same of a sedan.
+pub(crate) fn worn_sedan(draw: &DesignDraw) -> VehicleBlueprint {
+    worn(shape::sedan().drawn(draw), draw)
+}
+
+fn worn(shape: CarShape, draw: &DesignDraw) -> VehicleBlueprint {
+    let shape = CarShape { rim: if draw.chance("plain wheels", 0.6) { Rim::Steel } else { shape.rim }, ..shape };
+    let worn = wear::worn(&shape, draw, 1.0);
+    let rack = draw.chance("roof rack", 0.25).then(|| RoofLoad::drawn(draw));
+    let mut blueprint = shape.clone().blueprint();
+    if let Some(rack) = rack {
+        blueprint.size.height = shape.height() + rack.height();
+    }
+    blueprint.with(move |a| {
+        worn(a);
+        if let Some(rack) = rack {
+            rack.on(&mut a.body, &shape);
+        }
+    })
+}
 
 /// A sedan or estate for special service.
 pub(crate) fn service_car(draw: &DesignDraw) -> CarShape {

@@ -177,7 +177,10 @@ impl BicycleFrame {
             right_foot: v(-0.07, 0.0, 0.33),
             lean_rad: self.lean_rad,
             helmet: self.helmet,
+            helmets: HelmetKind::Cycle,
+            outfit: Outfit::Fair,
             standing: false,
+            pillion: None,
         });
         a
     }

@@ -11,6 +11,12 @@ pub(crate) fn commuter(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint())
 }
 
+/// The same as it is ridden where it is a family's vehicle.
+pub(crate) fn commuter_for_two(draw: &DesignDraw) -> VehicleBlueprint {
+    let pillion = PillionFit { share: 0.38, seat: v(-0.57, 0.0, 0.88), foot: v(-0.40, 0.20, 0.375), helmet: 0.55 };
+    framed(draw, for_two(blueprint(), 0.78, pillion))
+}
+
 /// The same with a box behind.
 pub(crate) fn delivery(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint().with(delivery_box(draw, v(-0.72, 0.0, 0.915))))
@@ -126,7 +132,10 @@ fn commuter_parts() -> Assembly {
         right_foot: Vec3::ZERO,
         lean_rad: 0.16,
         helmet: 0.97,
+        helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
+        pillion: None,
     });
     a
 }

@@ -90,7 +90,10 @@ fn parts() -> Assembly {
         right_foot: Vec3::ZERO,
         lean_rad: -0.02,
         helmet: 0.95,
+        helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
+        pillion: None,
     });
     a
 }

@@ -41,7 +41,10 @@ fn parts() -> Assembly {
         right_foot: v(-0.30, 0.0, 0.0),
         lean_rad: 0.06,
         helmet: 0.3,
+        helmets: HelmetKind::Cycle,
+        outfit: Outfit::Fair,
         standing: true,
+        pillion: None,
     });
     a
 }

@@ -3,27 +3,32 @@
 mod bicycle;
 mod commuter;
 mod cruiser;
+mod goods;
 mod kick_scooter;
 mod moped;
 mod sport;
+mod underbone;
 
 pub(crate) use bicycle::{cargo, city, mountain, road};
-pub(crate) use commuter::{commuter, delivery};
+pub(crate) use commuter::{commuter, commuter_for_two, delivery};
 pub(crate) use cruiser::cruiser;
 pub(crate) use kick_scooter::kick_scooter;
-pub(crate) use moped::{moped_delivery, scooter};
+pub(crate) use moped::{moped_delivery, scooter, scooter_for_two};
 pub(crate) use sport::sport;
+pub(crate) use underbone::{underbone, underbone_delivery};
 
 use super::assemble::{Assembly, VehicleBlueprint, VehicleMeasures};
 use super::draw::DesignDraw;
 use super::paint;
-use super::rider_fit::RiderFit;
+use super::rider_fit::{HelmetKind, PillionFit, RiderFit};
 use super::wheel::{Rim, wheel};
 use crate::shape::{Region, Sculpt};
 use endless_scene::Material;
+use endless_world::Outfit;
 use glam::{Vec2, Vec3};
+use goods::{delivery_box, loaded};
 
-pub(super) const fn v(x: f32, y: f32, z: f32) -> Vec3 {
+pub(in crate::vehicle) const fn v(x: f32, y: f32, z: f32) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
@@ -32,45 +37,36 @@ fn size([front, rear]: [f32; 2], width: f32, height: f32, axles: [f32; 2], wheel
     VehicleMeasures { front, rear, width, height, axles, wheel_radius }
 }
 
+/// Ridden by two as often as not, and not always with a helmet.
+fn for_two(blueprint: VehicleBlueprint, helmet: f64, pillion: PillionFit) -> VehicleBlueprint {
+    blueprint.with(move |a| {
+        a.fit = a.fit.map(|f| RiderFit {
+            helmet,
+            helmets: HelmetKind::Open,
+            outfit: Outfit::Hot,
+            pillion: Some(pillion),
+            ..f
+        });
+    })
+}
+
 /// Frames come in sizes.
 fn framed(draw: &DesignDraw, blueprint: VehicleBlueprint) -> VehicleBlueprint {
     blueprint.scaled(draw.range("frame", 0.965, 1.04))
 }
 
-/// The box of who delivers meals, behind the rider.
-fn delivery_box(draw: &DesignDraw, at: Vec3) -> impl FnOnce(&mut Assembly) + 'static {
-    let color = draw.pick("box", &[paint::ORANGE, paint::RED, paint::YELLOW, paint::LIME, paint::TEAL, paint::TRIM]);
-    let half = Vec3::new(0.20, draw.range("box width", 0.20, 0.235), draw.range("box height", 0.19, 0.23));
-    move |a| {
-        let middle = at + Vec3::Z * half.z;
-        let mut case = Sculpt::cuboid(middle - half, middle + half, 0.03, color);
-        let label = Region::all().within(Vec3::Z, at.z + 1.45 * half.z).beyond(Vec3::Z, at.z + 0.6 * half.z);
-        for (face, along) in [(Vec3::Y, Vec3::X), (-Vec3::Y, Vec3::X), (-Vec3::X, Vec3::Y)] {
-            let patch = label.clone().within(along, at.dot(along) + 0.13).beyond(along, at.dot(along) - 0.13);
-            case.paint(&patch.facing(face, 0.9), paint::WHITE);
-        }
-        a.body.add(case);
-        a.body.add(Sculpt::cuboid(
-            at - Vec3::new(0.16, 0.12, 0.03),
-            at + Vec3::new(0.16, 0.12, 0.01),
-            0.0,
-            paint::CHASSIS,
-        ));
-    }
-}
-
-pub(super) fn rod(a: Vec3, b: Vec3, radius: f32, material: Material) -> Sculpt {
+pub(in crate::vehicle) fn rod(a: Vec3, b: Vec3, radius: f32, material: Material) -> Sculpt {
     Sculpt::tube(&[(a, radius), (b, radius)], 8, material)
 }
 
 /// A flat-sided smooth body along a path: half width and half height a point.
-pub(super) fn hull(path: &[(Vec3, f32, f32)], material: Material) -> Sculpt {
+pub(in crate::vehicle) fn hull(path: &[(Vec3, f32, f32)], material: Material) -> Sculpt {
     let sections: Vec<(Vec3, Vec2)> = path.iter().map(|&(p, w, h)| (p, Vec2::new(w, h))).collect();
     Sculpt::sweep(&sections, Vec3::Y, 14, 2.6, true, material)
 }
 
 /// A curved sheet over a wheel, from one angle to another (0 = ahead, 90 = above).
-pub(super) fn mudguard(
+pub(in crate::vehicle) fn mudguard(
     centre: Vec3,
     radius: f32,
     half_width: f32,
@@ -89,7 +85,7 @@ pub(super) fn mudguard(
     Sculpt::sweep(&path, Vec3::Y, 8, 2.0, true, material)
 }
 
-pub(super) fn mirrors_and_bars(s: &mut Sculpt, stem: Vec3, grip: Vec3) {
+pub(in crate::vehicle) fn mirrors_and_bars(s: &mut Sculpt, stem: Vec3, grip: Vec3) {
     let bend = v(stem.x + 0.02, 0.16, grip.z + 0.015);
     s.add(Sculpt::tube(&[(stem, 0.013), (bend, 0.013), (grip, 0.013)], 8, paint::CHROME).both_sides());
     s.add(rod(grip - v(-0.02, 0.07, 0.0), grip + v(-0.02, 0.07, 0.0), 0.019, paint::RUBBER).both_sides());
@@ -101,7 +97,7 @@ pub(super) fn mirrors_and_bars(s: &mut Sculpt, stem: Vec3, grip: Vec3) {
     s.add(glass.both_sides());
 }
 
-pub(super) fn indicators(s: &mut Sculpt, at: Vec3) {
+pub(in crate::vehicle) fn indicators(s: &mut Sculpt, at: Vec3) {
     let lens = |m: Material| Sculpt::ellipsoid(at, v(0.03, 0.03, 0.022), 8, m);
     s.add(lens(paint::LEFT));
     s.add(lens(paint::RIGHT).mirrored());

@@ -10,6 +10,12 @@ pub(crate) fn scooter(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint())
 }
 
+/// The same as it is ridden where it is a family's vehicle.
+pub(crate) fn scooter_for_two(draw: &DesignDraw) -> VehicleBlueprint {
+    let pillion = PillionFit { share: 0.38, seat: v(-0.64, 0.0, 0.815), foot: v(-0.34, 0.22, 0.33), helmet: 0.6 };
+    framed(draw, for_two(blueprint(), 0.80, pillion))
+}
+
 /// The same with a box behind.
 pub(crate) fn moped_delivery(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint().with(delivery_box(draw, v(-0.74, 0.0, 0.86))))
@@ -109,7 +115,10 @@ fn scooter_parts() -> Assembly {
         right_foot: Vec3::ZERO,
         lean_rad: 0.02,
         helmet: 0.93,
+        helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
+        pillion: None,
     });
     a
 }

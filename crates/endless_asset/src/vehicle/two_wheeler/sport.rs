@@ -100,7 +100,10 @@ fn parts() -> Assembly {
         right_foot: Vec3::ZERO,
         lean_rad: 0.70,
         helmet: 0.98,
+        helmets: HelmetKind::Full,
+        outfit: Outfit::Fair,
         standing: false,
+        pillion: None,
     });
     a
 }
