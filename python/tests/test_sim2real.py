@@ -262,6 +262,8 @@ def test_coco_folders_and_files(tmp_path: Path) -> None:
         ({"annotations": [{"image_id": 7, "category_id": 9, "bbox": [1, 1, 2, 2]}]}, "annotation 0 of"),
         ({"annotations": [{"image_id": 7, "category_id": 3, "bbox": [1, 1, 2]}]}, "annotation 0 of"),
         ({"annotations": [{"image_id": 7, "category_id": 3}]}, "annotation 0 of"),
+        ({"annotations": [{"image_id": 7, "category_id": [3], "bbox": [1, 1, 2, 2]}]}, "annotation 0 of"),
+        ({"annotations": [{"image_id": 7, "category_id": 3, "bbox": [1, 1, float("nan"), 2]}]}, "annotation 0 of"),
         ({"categories": [{"id": 3}]}, "category has no id or no name"),
         ({"images": [], "annotations": []}, "no pictures"),
     ],
@@ -540,6 +542,7 @@ def test_arguments(out: Path) -> None:
     assert options.classes == (VEHICLE, PEDESTRIAN)
     assert (options.size, options.test_size, options.seeds) == (512, 608, (0, 1))
     assert parse([str(out), "--train-also", "x", "--test", "a"]).runs[0].name == "mixed"
+    assert parse(["--test", "a", "x", "--seeds", "3", "y"]).runs[0].sets == ("x", "y")
 
 
 @pytest.mark.parametrize(

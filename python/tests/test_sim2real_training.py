@@ -237,9 +237,10 @@ def test_exit_codes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "--out cannot be" in failing(["--train", f"a={good}", "--test", good, "--out", str(tmp_path / "file")], capsys, 2)
     if not torch.cuda.is_available():
         assert "finds no GPU" in failing(["--train", f"a={good}", "--test", people, "--device", "cuda", *out], capsys, 2)
-    with pytest.raises(SystemExit) as stopped:
-        main(["--iterations", "0", "--test", good])
-    assert stopped.value.code == 2
+    for wrong in (["--iterations", "0"], ["--batch", "some"], ["--width", "wide"], ["--device", "tpu"]):
+        with pytest.raises(SystemExit) as stopped:
+            main([*wrong, "--test", good])
+        assert stopped.value.code == 2
 
 
 @pytest.mark.parametrize(

@@ -59,7 +59,7 @@ def parse(arguments: Optional[Sequence[str]]) -> Options:
         RecipeError: Arguments make no sense together.
         SystemExit: They have another form; what is wrong is printed.
     """
-    given = _parser().parse_args(arguments)
+    given = _parser().parse_intermixed_args(arguments)
     if given.size < _STRIDE:
         raise RecipeError(f"--size cannot be {given.size}: use {_STRIDE} or more")
     size = _whole(given.size)
@@ -129,16 +129,18 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _positive(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
-    return number
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text} is no whole number from 1")
+    return int(text)
 
 
 def _share(text: str) -> float:
-    number = float(text)
+    try:
+        number = float(text)
+    except ValueError:
+        number = 0.0
     if not 0.1 <= number <= 2:
-        raise argparse.ArgumentTypeError(f"{text} is not from 0.1 to 2")
+        raise argparse.ArgumentTypeError(f"{text} is no number from 0.1 to 2")
     return number
 
 

@@ -7,6 +7,7 @@ some called `instances_...`, others, with captions or keypoints, are not looked 
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Iterator
 from functools import partial
@@ -93,9 +94,9 @@ def _read_json(file: Path) -> dict[str, Any]:
     return described
 
 
-def _categories(content: dict[str, Any], file: Path) -> list[tuple[Any, str]]:
+def _categories(content: dict[str, Any], file: Path) -> list[tuple[str, str]]:
     try:
-        return [(category["id"], str(category["name"])) for category in content["categories"]]
+        return [(str(category["id"]), str(category["name"])) for category in content["categories"]]
     except (KeyError, TypeError) as error:
         raise DatasetError(f"a category has no id or no name: {file}") from error
 
@@ -104,14 +105,14 @@ def _images(
     content: dict[str, Any], file: Path, labeller: Labeller, classes: tuple[int, ...], camera_of: CameraOf
 ) -> Iterator[LabelledImage]:
     name_of = dict(_categories(content, file))
-    boxes_of: dict[Any, list[NamedBox]] = {}
+    boxes_of: dict[str, list[NamedBox]] = {}
     for number, annotation in enumerate(content["annotations"]):
         image, box = _box(annotation, name_of, f"annotation {number} of {file}")
         boxes_of.setdefault(image, []).append(box)
     find = _Finder(file)
     for number, described in enumerate(content["images"]):
         try:
-            key, name = described["id"], str(described["file_name"])
+            key, name = str(described["id"]), str(described["file_name"])
         except (KeyError, TypeError) as error:
             raise DatasetError(f"picture {number} has no id or no file_name: {file}") from error
         picture = find(name)
@@ -131,15 +132,27 @@ def _images(
         raise DatasetError(f"{sum(map(len, boxes_of.values()))} annotations are of pictures that are not in its list: {file}")
 
 
-def _box(annotation: Any, name_of: dict[Any, str], where: str) -> tuple[Any, NamedBox]:
+def _box(annotation: Any, name_of: dict[str, str], where: str) -> tuple[str, NamedBox]:
     """The picture of an annotation, and its box."""
     try:
-        name = name_of[annotation["category_id"]]
-        left, top, width, height = (float(value) for value in annotation["bbox"])
+        name = name_of[str(annotation["category_id"])]
+        left, top, width, height = (_finite(value) for value in annotation["bbox"])
         crowd = bool(annotation.get("iscrowd", 0))
-        return annotation["image_id"], NamedBox(name, [left, top, left + width, top + height], crowd)
+        return str(annotation["image_id"]), NamedBox(name, [left, top, left + width, top + height], crowd)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise DatasetError(f"it has no image_id, no known category_id or no bbox of four numbers: {where}") from error
+
+
+def _finite(value: Any) -> float:
+    """A number that is one.
+
+    Raises:
+        ValueError: It is infinite or none.
+    """
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(value)
+    return number
 
 
 class _Finder:

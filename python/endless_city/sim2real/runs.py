@@ -11,7 +11,7 @@ from typing import Any, Optional
 import torch
 
 from endless_city import __version__
-from endless_city.errors import DatasetError, RecipeError
+from endless_city.errors import DatasetError, EndlessError, RecipeError
 from endless_city.sim2real.arguments import Options, Run
 from endless_city.sim2real.average_precision import Detections
 from endless_city.sim2real.detector import Detector
@@ -113,8 +113,11 @@ def _train_and_test(
     found: list[dict[str, list[Detections]]] = []
     for seed in options.seeds:
         told = _Teller(f"{run.name}, seed {seed}", options, device)
-        model = train(samples, how, seed, told)
-        found.append({name: predict(model, part.images, options.test_size, device) for name, part in fair.items()})
+        try:
+            model = train(samples, how, seed, told)
+            found.append({name: predict(model, part.images, options.test_size, device) for name, part in fair.items()})
+        except torch.cuda.OutOfMemoryError as error:
+            raise EndlessError("the GPU has too little memory: use a smaller --batch, --size or --width") from error
     return found
 
 
