@@ -173,7 +173,8 @@ def _crop(image: LabelledImage, result: Judged, miss: Miss, colour: tuple[int, i
     """What is around a box, with all boxes there."""
     centre = (miss.box[:2] + miss.box[2:]) / 2
     side = max(_AROUND * float((miss.box[2:] - miss.box[:2]).max()), _LEAST_SHOWN)
-    corner = centre - side / 2
+    # No further beyond the picture than it must be.
+    corner = np.minimum(np.maximum(centre - side / 2, 0.0), np.maximum(np.array(image.size) - side, 0.0))
     scale = _CELL / side
     picture = Image.fromarray(image.read())
     window = (float(corner[0]), float(corner[1]), float(corner[0] + side), float(corner[1] + side))
