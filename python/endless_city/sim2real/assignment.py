@@ -1,4 +1,4 @@
-"""Which cells learn which box: task-aligned assignment (Feng et al. 2021, TOOD).
+"""Which cells learn which box: task-aligned assignment (Feng et al. 2021).
 
 A box is learnt by the cells in it that already tell it best: those with the largest score^0.5 * IoU^6, ten at most. What a cell is
 to answer for its class follows from how well it does, so that confidence comes to tell how good a box is.
