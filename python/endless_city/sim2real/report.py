@@ -119,11 +119,16 @@ class Report:
             for row in one.sizes
         ]
 
+    def _drawn(self) -> str:
+        """What the bootstrap draws: `cameras (gate, yard), pictures (roof)`."""
+        tests: dict[str, dict[str, None]] = {}
+        for one in self.scores:
+            tests.setdefault(one.drawn, {})[one.test] = None
+        return ", ".join(f"{kind} ({', '.join(names)})" for kind, names in sorted(tests.items()))
+
     def _notes(self) -> list[str]:
-        drawn = sorted({one.drawn for one in self.scores})
         return [
-            f"95 %: interval of the mean over seeds, by a bootstrap over {' or '.join(drawn)} of the test set; seeds: each of "
-            "them.",
+            f"95 %: interval of the mean over seeds, by a bootstrap over {self._drawn()}; seeds: each of them.",
             "recall: share that is found at IoU 0.5 with one false detection of the class a picture.",
             "Sizes as the detector sees them: tiny, longer side under 16 pixels; else small under 32², medium under 96², large.",
             *self.warnings,
