@@ -176,18 +176,18 @@ SMALL = ["--size", "96", "--test-size", "96", "--width", "0.25", "--seeds", "0",
 def test_a_detector_that_learns_beats_chance(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     learnt, tested = toy(tmp_path / "learnt", 24, 0), toy(tmp_path / "tested", 16, 1)
     arguments = ["--train", f"toy={learnt}", "--test", tested, "--camera-regex", r"(\w+)_\d+\.png"]
-    assert main([*arguments, "--iterations", "60", "--batch", "8", *SMALL, "--out", str(tmp_path / "report")]) == 0
+    assert main([*arguments, "--iterations", "150", "--batch", "8", *SMALL, "--out", str(tmp_path / "report")]) == 0
     report = json.loads((tmp_path / "report" / "report.json").read_text())
     (result,) = report["scores"]
     assert [result[key] for key in ("run", "test", "images", "cameras", "drawn")] == ["toy", "tested", 16, 4, "cameras"]
     (vehicle,) = result["classes"]
-    # Without learning it is below 0.05.
-    assert vehicle["ap50"]["mean"] > 0.3
+    # Without learning it is 0; of three seeds the least had 0.33.
+    assert vehicle["ap50"]["mean"] > 0.15
     assert vehicle["ap50"]["low"] <= vehicle["ap50"]["mean"] <= vehicle["ap50"]["high"]
     assert sum(row["boxes"] for row in result["sizes"]) == vehicle["boxes"] == 16
     assert any("4 cameras are few" in warning for warning in report["warnings"])
     printed = capsys.readouterr()
-    assert "AP50:95" in printed.out and "60/60 iterations" in printed.err
+    assert "AP50:95" in printed.out and "150/150 iterations" in printed.err
     page = (tmp_path / "report" / "report.md").read_text()
     assert f"{vehicle['ap50']['mean']:.3f}" in printed.out and f"{vehicle['ap50']['mean']:.3f}" in page
     with Image.open(tmp_path / "report" / "misses.png") as sheet:
