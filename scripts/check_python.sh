@@ -13,7 +13,7 @@ python3 -m venv "$environment"
 python=$environment/bin/python
 "$python" -m pip install --quiet --upgrade pip
 "$python" -m pip install --quiet .
-"$python" -m pip install --quiet pytest hypothesis pillow mypy pyright
+"$python" -m pip install --quiet pytest hypothesis pillow pyyaml mypy pyright
 if [ "$torch" = yes ]; then
   "$python" -c "import torch, torchvision" 2>/dev/null || "$python" -m pip install --quiet torch torchvision
 fi
@@ -28,10 +28,11 @@ without=()
 for extra in torch ray; do
   "$python" -c "import $extra" 2>/dev/null || without+=("$extra.py")
 done
+"$python" -c "import torch" 2>/dev/null || without+=(sim2real)
 "$python" -m mypy --strict --no-incremental -p endless_city "${without[@]/#/--exclude=}"
 "$python" -m mypy.stubtest endless_city._native
 # It looks at nothing outside its own folder.
 cp -r "$package" endless_city
-(cd endless_city && rm -f "${without[@]}")
+(cd endless_city && rm -rf "${without[@]}")
 echo '{"include": ["endless_city"], "typeCheckingMode": "strict", "pythonVersion": "3.9"}' > pyrightconfig.json
 "$environment/bin/pyright" --pythonpath "$python"

@@ -38,7 +38,7 @@ inside() { chroot "$root" /usr/bin/env -C /judge PIP_CERT=/etc/ssl/certs/ca-cert
 inside python3 -c "import sys; assert '%d.%d' % sys.version_info[:2] == '$version', sys.version"
 inside python3 -m venv environment
 inside environment/bin/pip install --quiet --upgrade pip
-inside bash -c "environment/bin/pip install --quiet *.whl pytest hypothesis pillow"
+inside bash -c "environment/bin/pip install --quiet *.whl pytest hypothesis pillow pyyaml"
 inside environment/bin/endless --version
 inside environment/bin/python -m pytest --quiet -p no:cacheprovider tests
 INSIDE

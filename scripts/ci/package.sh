@@ -5,7 +5,7 @@ python_package() {
   MATURIN_PEP517_ARGS="--profile dev" scripts/check_python.sh --torch "$work/package"
   # What one of them began the other goes on with.
   diff <("$program" --version) <("$work/package/bin/endless" --version)
-  "$work/package/bin/python" scripts/run_doc_examples.py "$work/out" docs/python.md docs/layers/*.md
+  "$work/package/bin/python" scripts/run_doc_examples.py "$work/out" docs/python.md docs/sim2real.md docs/layers/*.md
   "$work/package/bin/python" scripts/train_from_stream.py
   if has_ray; then "$work/package/bin/python" scripts/judge_ray.py; fi
 }

@@ -11,7 +11,7 @@ judges_packages() {
 package_tools() {
   local engines=()
   if has_ray; then engines=("ray[data]"); fi
-  install_packages "$work/package" numpy pytest hypothesis pillow mypy pyright torch torchvision "${engines[@]}"
+  install_packages "$work/package" numpy pytest hypothesis pillow pyyaml pycocotools mypy pyright torch torchvision "${engines[@]}"
 }
 
 # uv keeps what both environments need, such as torch, once.
