@@ -12,6 +12,12 @@ small_dataset() {
   "$python" scripts/check_statistics.py --coco "$coco" "$work/compared.json"
   "$python" scripts/run_doc_examples.py "$work/out" docs/objects.md docs/scene.md docs/randomise.md
   "$program" bench --size 97x55 --duration 0.4
+  # docs/variety.md: towns and cameras of each video's own.
+  "$program" generate "$work/streets" --preset surveillance --videos 2 --size 161x91 --fps 4 --duration 0.5
+  "$program" check "$work/streets"
+  "$python" scripts/check_dataset.py "$work/streets"
+  "$python" scripts/measure_variety.py "$work/streets"
+  "$program" maps preview Random17 --out "$work/random17.png"
 }
 
 # Read as their pages and KITTI's readers do.

@@ -243,7 +243,7 @@ mod tests {
     use super::*;
     use crate::test_catalog::ThreeTowns;
     use endless_dataset::RgbFormat;
-    use endless_world::Weather;
+    use endless_world::{PerVideo, Weather};
 
     #[test]
     fn defaults_are_the_contract_s() {
@@ -254,6 +254,54 @@ mod tests {
         assert_eq!(recipe.layers, Layer::DEFAULT);
         assert_eq!((recipe.rgb_format, recipe.mp4.as_slice()), (RgbFormat::Png, &[Layer::Rgb][..]));
         assert_eq!(recipe.maps.len(), 3);
+    }
+
+    #[test]
+    fn random_maps_are_grown_by_the_seed_and_named_by_their_numbers() {
+        let maps = |words: &[&str], seed| {
+            let maps = Some(words.iter().map(ToString::to_string).collect());
+            let draft = RecipeDraft { maps, seed: Some(seed), ..RecipeDraft::default() };
+            resolve_recipe(draft, &ThreeTowns).map(|recipe| recipe.maps)
+        };
+        let three = maps(&["random:3"], 1).expect("grown");
+        let five = maps(&["Town02", "random:5"], 1).expect("grown");
+        assert_eq!((three.len(), five.len(), five[0].as_str()), (3, 6, "Town02"));
+        assert_eq!(three, five[1..4]);
+        assert_ne!(three, maps(&["random:3"], 2).expect("grown"));
+        assert_eq!(maps(&["Random7", "Random7"], 1).expect("grown"), ["Random7"]);
+        for wrong in ["random:0", "random:many", "random:", "Random07", "Atlantis"] {
+            assert!(maps(&[wrong], 1).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_preset_fills_what_is_not_given() {
+        for preset in Preset::ALL {
+            let draft = RecipeDraft {
+                preset: Some(preset.to_string()),
+                maps: Some(vec!["Town01".into()]),
+                ..RecipeDraft::default()
+            };
+            let recipe = resolve_recipe(draft, &ThreeTowns).expect("valid");
+            assert_eq!((recipe.sites, recipe.town_seed), (PerVideo::Drawn, PerVideo::Drawn), "{preset}");
+            assert_eq!(recipe.maps, ["Town01"]);
+        }
+        let crowd = |density: Option<&str>| {
+            let (preset, density) = (Some("crowd".to_owned()), density.map(str::to_owned));
+            let draft = RecipeDraft {
+                preset,
+                density,
+                sites: Some("fixed".into()),
+                maps: Some(vec!["Town01".into()]),
+                ..RecipeDraft::default()
+            };
+            resolve_recipe(draft, &ThreeTowns).expect("valid")
+        };
+        assert_eq!((crowd(None).pedestrians, crowd(None).sites), (400, PerVideo::Fixed));
+        assert_eq!(crowd(Some("light")).density.pedestrians, Some(TrafficDensity::Light));
+        let unknown = RecipeDraft { preset: Some("beach".into()), ..RecipeDraft::default() };
+        let error = resolve_recipe(unknown, &ThreeTowns).expect_err("no such preset").to_string();
+        assert!(error.contains("beach") && error.contains("surveillance"), "{error}");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Maps for tests of recipes and plans.
 
-use crate::{MapCatalog, MapSource, SimulatorError};
+use crate::{MapCatalog, MapSource, SimulatorError, SiteRequest};
 use endless_world::{CameraSite, LensModel, Mount};
 
 /// Three towns of three, four and five cameras.
@@ -9,6 +9,10 @@ pub(crate) struct ThreeTowns;
 impl MapSource for ThreeTowns {
     fn maps(&self) -> Vec<String> {
         (1..=3).map(|n| format!("Town0{n}")).collect()
+    }
+
+    fn random_map(&self, number: u32) -> Option<String> {
+        Some(format!("Random{number}"))
     }
 }
 
@@ -26,5 +30,20 @@ impl MapCatalog for ThreeTowns {
             roll_rad: 0.0,
         };
         Ok((0..count).map(site).collect())
+    }
+
+    /// Cameras that hang where their seeds say.
+    fn draw_sites(&self, map: &str, scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
+        let site = self.cameras(map)?.swap_remove(0);
+        let draw = |scene: &SiteRequest| {
+            let x = |camera| (scene.seed ^ scene.town_seed.unwrap_or(0)) as f32 + camera as f32;
+            let camera = |camera: u32| CameraSite {
+                name: format!("drawn_{camera}"),
+                position: [x(camera), 0.0, 6.0],
+                ..site.clone()
+            };
+            Some((0..scene.cameras).map(camera).collect())
+        };
+        Ok(scenes.iter().map(draw).collect())
     }
 }

@@ -32,3 +32,46 @@ pub(super) fn draw(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Plan, resolve_recipe, test_catalog::ThreeTowns};
+    use endless_dataset::RecipeDraft;
+    use std::collections::BTreeSet;
+
+    fn plan(videos: i64, town_seed: &str, preset: impl Fn(RecipeDraft) -> RecipeDraft) -> Plan {
+        let draft = RecipeDraft {
+            videos: Some(videos),
+            sites: Some("drawn".into()),
+            town_seed: Some(town_seed.into()),
+            region: Some("drawn".into()),
+            ..RecipeDraft::default()
+        };
+        let recipe = resolve_recipe(preset(draft), &ThreeTowns).expect("valid");
+        Plan::new(&recipe, &ThreeTowns).expect("plannable")
+    }
+
+    #[test]
+    fn every_video_has_cameras_of_its_own_and_a_longer_plan_begins_with_a_shorter_one() {
+        for town_seed in ["fixed", "drawn"] {
+            let (short, long) = (plan(20, town_seed, |draft| draft), plan(60, town_seed, |draft| draft));
+            assert_eq!(short.scenes, long.scenes[..20]);
+            let places = long.scenes.iter().flat_map(|s| s.cameras.iter().map(|c| c.site.position[0].to_bits()));
+            assert_eq!(places.collect::<BTreeSet<_>>().len(), 120);
+            assert!(long.scenes.iter().all(|scene| scene.town_seed.is_some() == (town_seed == "drawn")));
+            let regions: BTreeSet<&str> = long.scenes.iter().map(|scene| scene.profile.region.name()).collect();
+            assert_eq!(regions.len(), 4);
+        }
+    }
+
+    #[test]
+    fn each_video_is_filmed_in_a_town_of_its_own() {
+        let plan = plan(9, "drawn", |draft| RecipeDraft { balance: Some(true), ..draft });
+        for (i, one) in plan.scenes.iter().enumerate() {
+            assert!(plan.scenes.iter().enumerate().all(|(k, other)| one.shares_town(other) == (i == k)));
+        }
+        // Every video costs a load of a map: three shards have three each.
+        assert!(plan.shards(3).iter().all(|part| part.len() == 3));
+    }
+}

@@ -37,6 +37,8 @@ pub(super) struct TownLayout {
     pub(super) zones: Vec<BuildingZone>,
     /// Forbidden turns: from a way, at a place, to a way.
     pub(super) forbidden: Vec<(usize, DVec2, usize)>,
+    /// Roads that reach further than this from the middle, north or east, leave the map there, metres.
+    pub(super) border_m: Option<f64>,
 }
 
 /// `secondary lanes=4 sidewalk=both`: the first word is the value of `key`, if it is not a pair itself.
@@ -54,7 +56,7 @@ pub(super) fn tags(key: &str, words: &str) -> OsmTags {
 impl TownLayout {
     /// An empty layout of a place, degrees north and east.
     pub(super) fn of(place: [f64; 2]) -> Self {
-        Self { place, lines: Vec::new(), marks: Vec::new(), zones: Vec::new(), forbidden: Vec::new() }
+        Self { place, lines: Vec::new(), marks: Vec::new(), zones: Vec::new(), forbidden: Vec::new(), border_m: None }
     }
 
     /// A road of a class, with more tags; its number.
@@ -187,7 +189,9 @@ impl TownLayout {
         let mut extract = OsmExtract::default();
         let mut ids: BTreeMap<(i64, i64, i64), i64> = BTreeMap::new();
         let mut on_roads: Vec<(DVec2, i64)> = Vec::new();
-        let half = self.lines.iter().flat_map(|l| &l.points).map(|p| p.abs().max_element()).fold(0.0, f64::max) + 100.0;
+        let beyond =
+            || self.lines.iter().flat_map(|l| &l.points).map(|p| p.abs().max_element()).fold(0.0, f64::max) + 100.0;
+        let half = self.border_m.unwrap_or_else(beyond);
         let (low, high) = (degrees(DVec2::splat(-half)), degrees(DVec2::splat(half)));
         let centred = |k: usize| (high[k] - self.place[k]).max(self.place[k] - low[k]);
         let reach = [centred(0), centred(1)];

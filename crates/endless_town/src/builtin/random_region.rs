@@ -25,6 +25,8 @@ pub(super) struct RandomRegion {
     palms: f64,
     wires: bool,
     bright: bool,
+    /// Ground between houses is paved.
+    yards: bool,
 }
 
 const DOWNTOWN: ZoneProfile = ZoneProfile {
@@ -100,6 +102,7 @@ const REGIONS: [RandomRegion; 4] = [
         palms: 0.0,
         wires: false,
         bright: false,
+        yards: false,
     },
     RandomRegion {
         name: "North American",
@@ -120,6 +123,7 @@ const REGIONS: [RandomRegion; 4] = [
         palms: 0.1,
         wires: true,
         bright: false,
+        yards: false,
     },
     RandomRegion {
         name: "Latin American",
@@ -140,6 +144,7 @@ const REGIONS: [RandomRegion; 4] = [
         palms: 0.3,
         wires: true,
         bright: true,
+        yards: true,
     },
     RandomRegion {
         name: "South-East Asian",
@@ -160,6 +165,7 @@ const REGIONS: [RandomRegion; 4] = [
         palms: 0.4,
         wires: true,
         bright: false,
+        yards: true,
     },
 ];
 
@@ -170,6 +176,12 @@ impl RandomRegion {
 
     /// How its towns are dressed.
     pub(super) fn preset(&self) -> TownPreset {
-        TownPreset { palms: self.palms, wires: self.wires, bright: self.bright, yards: true, ..TownPreset::default() }
+        TownPreset {
+            palms: self.palms,
+            wires: self.wires,
+            bright: self.bright,
+            yards: self.yards,
+            ..TownPreset::default()
+        }
     }
 }

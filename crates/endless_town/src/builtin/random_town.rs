@@ -20,14 +20,18 @@ use std::f64::consts::{PI, TAU};
 /// Share of radial plans, and of plans with a highway beside them.
 const RADIAL: f64 = 0.35;
 const WITH_HIGHWAY: f64 = 0.5;
-/// A highway passes so far beyond the last street, and reaches so far to both sides, metres.
+/// A highway passes so far beyond the last street, metres. It leaves the map so far beyond the town, where it is this many
+/// times as long.
 const HIGHWAY_BEYOND_M: [f64; 2] = [55.0, 110.0];
-const HIGHWAY_HALF_M: f64 = 480.0;
+const BORDER_M: f64 = 90.0;
+const LONGER: f64 = 1.6;
 /// A lane of a highway, and half of its median, metres.
 const HIGHWAY_LANE_M: f64 = 3.6;
 const HALF_MEDIAN_M: [f64; 2] = [1.2, 6.0];
 /// From a highway's middle to where a bridge over it begins, metres.
 const BRIDGE_M: f64 = 34.0;
+/// Streets over a highway end so far behind its middle, metres.
+const OVER_M: f64 = 80.0;
 /// Streets that leave the town reach so far beyond it, metres.
 const LEAVING_M: f64 = 70.0;
 
@@ -78,7 +82,7 @@ impl RandomPlan {
             layout: TownLayout::of(region.place),
             region,
             half_m: DVec2::ZERO,
-            turn: unit(random.range_f64(-0.6, 0.6)),
+            turn: unit(random.range_f64(-0.35, 0.35)),
             bend_m: if random.chance(0.5) { random.range_f64(4.0, 16.0) } else { 0.0 },
             phase: random.range_f64(0.0, TAU),
             northwards: Vec::new(),
@@ -245,8 +249,10 @@ impl RandomPlan {
             + HIGHWAY_LANE_M * lanes as f64 / 2.0
             + random.range_f64(HIGHWAY_BEYOND_M[0], HIGHWAY_BEYOND_M[1]);
         let sag = random.range_f64(-60.0, 60.0);
-        let at = |x: f64| (x, y + sag * (x / HIGHWAY_HALF_M) * (x / HIGHWAY_HALF_M));
-        let middle: Vec<DVec2> = smooth(&[-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| at(k * HIGHWAY_HALF_M)));
+        let border = y + BORDER_M;
+        self.layout.border_m = Some(border);
+        let at = |k: f64| (k * LONGER * border, y + sag * k * k);
+        let middle: Vec<DVec2> = smooth(&[-1.0, -0.5, 0.0, 0.5, 1.0].map(at));
         let middle: Vec<DVec2> = middle.into_iter().map(|p| self.turn.rotate(p)).collect();
         let class = if speed > 80 { "motorway" } else { "trunk" };
         let words = format!("{class} oneway=yes lanes={lanes} sidewalk=no maxspeed={speed}");
@@ -256,8 +262,8 @@ impl RandomPlan {
         self.layout.road(&words, &back);
         let places = self.northwards.clone();
         for &x in places.iter().filter(|_| random.chance(0.4)) {
-            let (from, to) = (self.bent(DVec2::new(x, self.half_m.y)), self.turn.rotate(DVec2::new(x, y + 150.0)));
-            let over = from.lerp(to, (y - self.half_m.y) / (y + 150.0 - self.half_m.y));
+            let (from, to) = (self.bent(DVec2::new(x, self.half_m.y)), self.turn.rotate(DVec2::new(x, y + OVER_M)));
+            let over = from.lerp(to, (y - self.half_m.y) / (y + OVER_M - self.half_m.y));
             let words = "secondary lanes=2 sidewalk=both maxspeed=50";
             self.layout.road_with_bridges(words, &[from, over, to], &[(over, BRIDGE_M)]);
         }

@@ -26,6 +26,8 @@ const SUBJECTS: [(ViewSubject, f64); 4] = [
     (ViewSubject::Highway, 0.22),
     (ViewSubject::Square, 0.1),
 ];
+/// Share of squares and parks among squares, parks and crossings.
+const SQUARES: f64 = 0.35;
 /// From which speed a road is a highway, m/s.
 const HIGHWAY_MPS: f64 = 16.0;
 /// Cameras at a junction stand so far before its stop line, metres.
@@ -36,7 +38,7 @@ const SHORTEST_LANE_M: f64 = 12.0;
 const TILT_DEG: [f64; 2] = [5.0, 60.0];
 const FOV_DEG: [f64; 2] = [15.0, 110.0];
 /// Width of what a picture shows where the camera is aimed, metres.
-const SHOWN_M: [f64; 2] = [13.0, 80.0];
+const SHOWN_M: [f64; 2] = [12.0, 56.0];
 /// Cameras are put up askew by so much (standard deviation), at most, degrees.
 const ROLL_DEG: f64 = 0.8;
 const MOST_ROLL_DEG: f64 = 2.5;
@@ -116,8 +118,15 @@ impl<'s> MountDraw<'s> {
     /// What a camera is to look at, by its place among the town's, and from what; `None` where there is nothing.
     pub(super) fn intent(&self, random: &mut Stream) -> Option<ViewIntent> {
         let frequencies: Vec<f64> = self.subjects.iter().map(|subject| subject.1).collect();
-        let mount = MOUNTS[random.weighted(&MOUNTS.map(|mount| mount.1))].0;
-        (!frequencies.is_empty()).then(|| ViewIntent { subject: random.weighted(&frequencies), mount })
+        if frequencies.is_empty() {
+            return None;
+        }
+        let subject = random.weighted(&frequencies);
+        // Houses stand at streets.
+        let at_houses = self.subjects[subject].0 != ViewSubject::Highway;
+        let share = |(mount, share)| if at_houses || !matches!(mount, Mount::Wall | Mount::Roof) { share } else { 0.0 };
+        let mount = MOUNTS[random.weighted(&MOUNTS.map(share))].0;
+        Some(ViewIntent { subject, mount })
     }
 
     /// A place; `None` where what was drawn has no room.
@@ -204,7 +213,7 @@ impl<'s> MountDraw<'s> {
 
     /// Over a square, a park or a crossing.
     fn over_people(&self, random: &mut Stream) -> Option<DrawnPlace> {
-        let square = self.crossings.is_empty() || !self.open.is_empty() && random.chance(0.6);
+        let square = self.crossings.is_empty() || !self.open.is_empty() && random.chance(SQUARES);
         let aim = if square {
             let outline = &self.open[random.below(self.open.len())].outline;
             let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;

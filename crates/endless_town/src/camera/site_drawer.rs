@@ -1,6 +1,7 @@
 //! New cameras for every video: places drawn by mount, of which those are taken that see a street or a square.
 
 use super::candidate::between;
+use super::height_field::TopSurface;
 use super::mount_draw::{DrawnPlace, MountDraw};
 use super::occlusion::PropOcclusion;
 use super::roadside::blocks_lane;
@@ -23,7 +24,7 @@ const MOST_WALL: f32 = 0.15;
 const MOST_SKY: f32 = 0.34;
 const MOST_HIDDEN: f32 = 0.04;
 /// Least weight of places of people in a picture of a square or a park.
-const LEAST_PEOPLE: f32 = 2.5;
+const LEAST_PEOPLE: f32 = 4.0;
 /// Least weight of places of vehicles and people in any picture.
 const LEAST_TRAFFIC: f32 = 5.0;
 /// Cameras of a scene hang further apart than this, metres, or look in other directions, radians.
@@ -100,6 +101,11 @@ impl<'s> SiteDrawer<'s> {
             if !self.occupied.is_free(&room) || blocks_lane(self.scene.network, foot) {
                 return None;
             }
+        }
+        // No road ends where the camera is aimed.
+        let (_, aimed_at) = self.scene.relief.at(place.aim);
+        if !place.on_foot && !matches!(aimed_at, TopSurface::Road | TopSurface::Junction) {
+            return None;
         }
         let seen = self.judge.look(&place.site, place.level)?;
         let street = seen.street() > LEAST_STREET && !place.on_foot;

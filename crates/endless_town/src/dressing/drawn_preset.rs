@@ -1,6 +1,6 @@
 //! What a town is like that is dressed anew: its lamps, trees, wires, what is built, and the colours of its grounds.
 
-use super::preset::TownPreset;
+use super::preset::{StreetLife, TownPreset};
 use endless_scene::{Mesh, Surface};
 use endless_world::Stream;
 use std::sync::Arc;
@@ -12,6 +12,10 @@ const LAMPS: [[f32; 3]; 5] =
 const WIRED: f64 = 0.4;
 const BRIGHT: f64 = 0.22;
 const WITH_PALMS: f64 = 0.25;
+
+/// Share of towns with painted lanes for buses, and their colours: red, green, ochre, blue.
+const BUS_LANES: f64 = 0.25;
+const BUS_LANE_COLORS: [[f32; 3]; 4] = [[0.28, 0.07, 0.05], [0.07, 0.17, 0.10], [0.34, 0.22, 0.07], [0.05, 0.12, 0.28]];
 
 /// A preset that was drawn, and the colours that go with it.
 pub(crate) struct DrawnPreset {
@@ -31,7 +35,21 @@ impl DrawnPreset {
         preset.palms = if palms { random.range_f64(0.15, 0.6) } else { 0.0 };
         preset.wires = usual.wires || random.chance(WIRED);
         preset.bright = usual.bright || random.chance(BRIGHT);
-        preset.yards = usual.yards || random.chance(0.5);
+        preset.yards = usual.yards || random.chance(0.25);
+        // Where wires hang, streets are full of other things, too.
+        let full = if preset.wires { 1.6 } else { 1.0 };
+        let mut share = |often: f64, most: f64| {
+            if random.chance(often) { random.range_f64(0.1, 1.0) * most * full } else { 0.0 }
+        };
+        preset.life = StreetLife {
+            vendors: share(0.6, 0.35),
+            works: share(0.6, 0.12),
+            rubbish: share(0.7, 0.25),
+            scaffolds: share(0.5, 0.1),
+            laundry: share(0.4, 0.4),
+        };
+        preset.old_paint = share(0.6, 0.5);
+        preset.bus_lanes = random.chance(BUS_LANES).then(|| *random.pick(&BUS_LANE_COLORS));
         for zone in &mut preset.zones {
             let (low, high) = zone.storeys;
             let more = random.below(3) as u32;

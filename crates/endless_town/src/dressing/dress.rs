@@ -15,14 +15,14 @@ use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::near_detail::{DetailGround, DetailSource};
-use crate::dressing::pavement::{arrow, bump, features, infill, paint, surface};
+use crate::dressing::pavement::{arrow, bump, features, infill, old_paint, paint, surface};
 use crate::dressing::planting::garden::GardenBuilder;
 use crate::dressing::planting::square::SquareFurnisher;
 use crate::dressing::planting::trees::TreePlanter;
 use crate::dressing::preset::TownPreset;
 use crate::dressing::road_furniture::parking::KerbBay;
 use crate::dressing::road_furniture::post::RoadsidePosts;
-use crate::dressing::road_furniture::{furniture, iron, parking};
+use crate::dressing::road_furniture::{furniture, iron, parking, street_life};
 use crate::geometry::{OccupiedSpace, Rect, around};
 use crate::placement::{PlacedObject, Placement};
 use crate::town::{Town, TownError};
@@ -188,6 +188,10 @@ impl<'m> TownShell<'m> {
             surface::junction_areas(&mut ground, map, preset.paving);
             infill::pave(&mut ground, &holes);
             paint::add(&mut ground, map, &pavement);
+            old_paint::add_traces(&mut ground, map, preset.old_paint, seed);
+            if let Some(color) = preset.bus_lanes {
+                old_paint::add_bus_lanes(&mut ground, map, color);
+            }
             arrow::add(&mut ground, map, &pavement);
             bump::add(&mut ground, map, &pavement);
             let mut lie = MeshBuilder::new();
@@ -294,6 +298,7 @@ impl<'m> TownShell<'m> {
         gardener.fence(yards, assembly);
         let mut wires = MeshBuilder::new();
         furniture::add(assembly, &mut wires, &posts, &cameras);
+        street_life::add(assembly, &posts, yards, &cameras, preset.life);
         iron::add(assembly, map, pavement);
         planter.land(assembly, &cameras, *low, *high);
         planter.hills(assembly);

@@ -16,6 +16,16 @@ pub(crate) struct BuildingZone {
     pub(crate) open: f64,
 }
 
+/// What people put into streets: shares of the places where there might be some.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct StreetLife {
+    pub(crate) vendors: f64,
+    pub(crate) works: f64,
+    pub(crate) rubbish: f64,
+    pub(crate) scaffolds: f64,
+    pub(crate) laundry: f64,
+}
+
 /// How a map is dressed.
 #[derive(Debug, Clone)]
 pub(crate) struct TownPreset {
@@ -39,6 +49,12 @@ pub(crate) struct TownPreset {
     pub(crate) maize: bool,
     /// Ground between houses is paved where roads are many.
     pub(crate) yards: bool,
+    /// What is in the streets that no plan has.
+    pub(crate) life: StreetLife,
+    /// Share of lines that have left traces elsewhere.
+    pub(crate) old_paint: f64,
+    /// Colour of lanes for buses, if there are any.
+    pub(crate) bus_lanes: Option<[f32; 3]>,
     /// Buildings grow along the roads even where the map knows some.
     pub(crate) grows: bool,
 }
@@ -58,6 +74,9 @@ impl Default for TownPreset {
             bright: false,
             maize: false,
             yards: false,
+            life: StreetLife::default(),
+            old_paint: 0.0,
+            bus_lanes: None,
             grows: true,
         }
     }

@@ -12,6 +12,7 @@ mod network;
 mod opendrive;
 mod parked;
 mod scene;
+mod variety;
 
 /// All towns with the details near their cameras, made once for all tests.
 fn towns() -> &'static [Town] {

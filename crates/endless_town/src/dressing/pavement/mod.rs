@@ -5,5 +5,6 @@ pub(crate) mod bump;
 pub(crate) mod crossing;
 pub(crate) mod features;
 pub(crate) mod infill;
+pub(crate) mod old_paint;
 pub(crate) mod paint;
 pub(crate) mod surface;

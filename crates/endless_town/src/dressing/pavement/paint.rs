@@ -27,7 +27,7 @@ pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementInde
         for lane in map.network.lanes.iter().filter(|l| l.junction.is_none()) {
             for usual in usual_lines(lane, map.left_hand) {
                 for piece in usual.pieces {
-                    line(mesh, &lane.centerline, piece, usual.t, USUAL_M, WHITE_PAINT);
+                    line(mesh, &lane.centerline, piece, (usual.t, USUAL_M), WHITE_PAINT, PAINT_M);
                 }
             }
         }
@@ -55,7 +55,7 @@ fn add_mark(mesh: &mut MeshBuilder, mark: &RoadMarking, crossings: &[Crossing]) 
         MarkingColor::Yellow => YELLOW_PAINT,
     };
     for piece in painted(mark, crossings) {
-        line(mesh, &mark.line, piece, 0.0, mark.width_m, paint);
+        line(mesh, &mark.line, piece, (0.0, mark.width_m), paint, PAINT_M);
     }
 }
 
@@ -122,8 +122,15 @@ pub(crate) fn middle(line: &Polyline, piece: (f64, f64), t: f64) -> Vec<DVec3> {
     stations(piece).map(at).collect()
 }
 
-/// Paint along a line, `t` to its left.
-fn line(mesh: &mut MeshBuilder, line: &Polyline, (from, to): (f64, f64), t: f64, width: f64, paint: Material) {
+/// Paint along a piece of a line, `t` to its left, of a width, so high above it.
+pub(crate) fn line(
+    mesh: &mut MeshBuilder,
+    line: &Polyline,
+    (from, to): (f64, f64),
+    (t, width): (f64, f64),
+    paint: Material,
+    up: f64,
+) {
     if to - from < SHORTEST_M {
         return;
     }
@@ -131,7 +138,7 @@ fn line(mesh: &mut MeshBuilder, line: &Polyline, (from, to): (f64, f64), t: f64,
         .map(|s| {
             let place = line.at(s);
             let left = crate::geometry::unit(place.heading_rad).perp().extend(0.0);
-            let up = DVec3::Z * PAINT_M;
+            let up = DVec3::Z * up;
             [place.position + left * (t - width / 2.0) + up, place.position + left * (t + width / 2.0) + up]
         })
         .collect();

@@ -5,5 +5,6 @@ pub(crate) mod iron;
 pub(crate) mod parking;
 mod parking_bay;
 pub(crate) mod post;
+pub(crate) mod street_life;
 mod swept_ground;
 pub(crate) mod wire;
