@@ -116,6 +116,15 @@ pub struct CameraLook {
     /// Drops of rain on the lens, in rainy scenes.
     #[serde(default)]
     pub droplets: u32,
+    /// Spots of dirt on the glass.
+    #[serde(default, skip_serializing_if = "is_zero_count")]
+    pub smudges: u32,
+    /// Standard deviation of the blur of a lens out of focus, as a share of the picture's height.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub defocus: f32,
+    /// Stops by which the picture is too bright, or too dark.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub exposure_stops: f32,
     /// How long the shutter is open, seconds: what moves is blurred by it. Labels are of the middle of that time. 0: an
     /// instant.
     #[serde(default)]
@@ -135,8 +144,41 @@ pub struct CameraLook {
     pub clock: Option<RecorderClock>,
 }
 
+/// Key of the stream of faults: what is drawn of them changes nothing else.
+const FAULTS: u64 = 1;
+/// Shares of cameras with dirt on their glass, badly focused, and badly exposed.
+const DIRTY: f64 = 0.2;
+const OUT_OF_FOCUS: f64 = 0.15;
+const BADLY_EXPOSED: f64 = 0.15;
+
+/// What is wrong with a camera that nobody looks after.
+struct CameraFaults {
+    smudges: u32,
+    defocus: f32,
+    exposure_stops: f32,
+}
+
+impl CameraFaults {
+    fn draw(random: &mut Stream) -> Self {
+        let smudges = if random.chance(DIRTY) { 2 + random.below(12) as u32 } else { 0 };
+        let defocus = if random.chance(OUT_OF_FOCUS) { random.range_f32(0.0008, 0.003) } else { 0.0 };
+        let exposure_stops = if random.chance(BADLY_EXPOSED) { random.range_f32(-0.7, 1.3) } else { 0.0 };
+        Self { smudges, defocus, exposure_stops }
+    }
+}
+
 /// k1 of the widest lenses.
 const STRONGEST_BARREL: f32 = -0.25;
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_zero(number: &f32) -> bool {
+    *number == 0.0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_zero_count(count: &u32) -> bool {
+    *count == 0
+}
 
 const fn neutral() -> [f32; 3] {
     [1.0; 3]
@@ -153,6 +195,9 @@ impl CameraLook {
         vignetting: 0.0,
         aberration: 0.0,
         droplets: 0,
+        smudges: 0,
+        defocus: 0.0,
+        exposure_stops: 0.0,
         shutter_s: 0.0,
         noise: 0.0,
         white_balance: neutral(),
@@ -178,6 +223,9 @@ impl CameraLook {
                 vignetting: 0.3,
                 aberration: 0.0006,
                 droplets: 14,
+                smudges: 0,
+                defocus: 0.0,
+                exposure_stops: 0.0,
                 shutter_s: 1.5 * shutter_s,
                 noise: 1.4 * dark,
                 white_balance: neutral(),
@@ -186,6 +234,7 @@ impl CameraLook {
                 clock: Some(clock),
             },
             CameraLookChoice::Random => {
+                let faults = CameraFaults::draw(&mut random.fork(FAULTS));
                 let mut share = |chance: f32| random.f32() < chance;
                 let (bent, recorded, stamped) = (share(0.7), share(0.75), share(0.6));
                 let mut within = |low: f32, high: f32| random.range_f32(low, high);
@@ -194,6 +243,9 @@ impl CameraLook {
                     vignetting: within(0.0, 0.5),
                     aberration: within(0.0, 0.0014),
                     droplets: (within(-30.0, 60.0).max(0.0)) as u32,
+                    smudges: faults.smudges,
+                    defocus: faults.defocus,
+                    exposure_stops: faults.exposure_stops,
                     shutter_s: within(0.5, 2.0) * shutter_s,
                     noise: within(0.3, 3.0) * dark,
                     white_balance: neutral(),

@@ -135,6 +135,8 @@ mod tests {
         SceneSettings {
             video: 0,
             map: "Town01".into(),
+            town_seed: None,
+            drawn_sites: false,
             weather: from.weather,
             time_of_day: from.time_of_day,
             changing_to: to,

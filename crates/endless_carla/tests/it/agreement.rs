@@ -53,6 +53,8 @@ fn labels_are_those_of_the_built_in_renderer() {
     let scene = SceneSettings {
         video: 0,
         map: MAP.to_owned(),
+        town_seed: None,
+        drawn_sites: false,
         weather: Weather::Cloudy,
         time_of_day: TimeOfDay::Afternoon,
         changing_to: None,

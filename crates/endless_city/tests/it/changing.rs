@@ -19,6 +19,8 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
     WeatherTimeline::of(&SceneSettings {
         video: 0,
         map: "Town03".into(),
+        town_seed: None,
+        drawn_sites: false,
         weather: from.0,
         time_of_day: from.1,
         changing_to: Some(ConditionChange { weather: to.0, time_of_day: to.1 }),

@@ -35,7 +35,6 @@ pub(super) fn draw(
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::{Plan, resolve_recipe, test_catalog::ThreeTowns};
     use endless_dataset::RecipeDraft;
     use std::collections::BTreeSet;

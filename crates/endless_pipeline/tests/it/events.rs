@@ -15,6 +15,8 @@ fn settings(town: &str, kind: IncidentKind, seed: u64) -> SceneSettings {
     SceneSettings {
         video: 0,
         map: town.to_owned(),
+        town_seed: None,
+        drawn_sites: false,
         weather: Weather::Rainy,
         time_of_day: TimeOfDay::Afternoon,
         changing_to: None,

@@ -17,6 +17,8 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
     let settings = SceneSettings {
         video: 0,
         map: town.to_owned(),
+        town_seed: None,
+        drawn_sites: false,
         weather: Weather::Cloudy,
         time_of_day: TimeOfDay::Afternoon,
         changing_to: None,

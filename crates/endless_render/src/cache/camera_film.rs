@@ -7,7 +7,7 @@ use crate::film::{BlurScratch, Exposure, PostProcess, Rain, ToneCurve, black_lev
 use crate::light::Environment;
 use crate::material::noise;
 use crate::settings::RenderSettings;
-use endless_world::{Lens, PinholeCamera};
+use endless_world::{Lens, PinholeCamera, math};
 use glam::Vec3A;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -135,7 +135,8 @@ impl FilmResponse {
     /// At this exposure.
     pub(crate) fn new(settings: &RenderSettings, environment: &Environment, exposure: Exposure) -> Self {
         let pixels = settings.size.pixels();
-        let white_balance = environment.white_balance() * Vec3A::from(settings.look.white_balance);
+        let off = Vec3A::from(settings.look.white_balance) * math::exp2(settings.look.exposure_stops);
+        let white_balance = environment.white_balance() * off;
         Self {
             exposure,
             tone: ToneCurve::new(exposure.factor, white_balance, exposure.black),

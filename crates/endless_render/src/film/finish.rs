@@ -1,8 +1,10 @@
-//! What lens, sensor and recorder do to a picture: vignetting and lateral chromatic aberration, noise, an unsharp mask,
+//! What lens, sensor and recorder do to a picture: bad focus, dirt, vignetting and lateral chromatic aberration, noise, an unsharp mask,
 //! the clock, and compression. Distortion is not here: rays are bent by it, so all layers have it alike.
 
+use super::defocus::blurred;
 use super::droplets::Droplets;
 use super::sensor_noise::SensorNoise;
+use super::smudges::Smudges;
 use super::timestamp::stamp;
 use endless_world::{CameraLook, ImageSize};
 use glam::{Vec2, Vec3A};
@@ -16,6 +18,7 @@ pub(crate) struct PostProcess {
     grain: Option<SensorNoise>,
     /// In rain.
     droplets: Option<Droplets>,
+    smudges: Option<Smudges>,
 }
 
 impl PostProcess {
@@ -24,24 +27,29 @@ impl PostProcess {
         let grain = (look.noise > 0.0).then(|| SensorNoise::new(look.noise, seed));
         let count = (look.droplets as f32 * rain) as u32;
         let droplets = (count > 0).then(|| Droplets::new(count, size, seed));
-        (!look.is_clean()).then_some(Self { look: *look, size, fps, grain, droplets })
+        let smudges = (look.smudges > 0).then(|| Smudges::new(look.smudges, size, seed));
+        (!look.is_clean()).then_some(Self { look: *look, size, fps, grain, droplets, smudges })
     }
 
     /// Whether the lens does anything to light.
     pub(crate) fn has_lens(&self) -> bool {
-        self.look.vignetting > 0.0 || self.look.aberration > 0.0 || self.droplets.is_some()
+        let CameraLook { vignetting, aberration, defocus, .. } = self.look;
+        vignetting > 0.0 || aberration > 0.0 || defocus > 0.0 || self.droplets.is_some() || self.smudges.is_some()
     }
 
     /// What the lens makes of a picture in linear light; `through` is overwritten.
     pub(crate) fn lens(&self, seen: &[Vec3A], through: &mut Vec<Vec3A>) {
         let CameraLook { vignetting, aberration, .. } = self.look;
         let (width, height) = (self.size.width as usize, self.size.height as usize);
-        let dropped = self.droplets.as_ref().map(|droplets| {
-            let mut dropped = seen.to_vec();
-            droplets.draw(self.size, &mut dropped);
-            dropped
-        });
-        let from = dropped.as_deref().unwrap_or(seen);
+        let mut spoiled =
+            (self.look.defocus > 0.0).then(|| blurred(self.size, seen, self.look.defocus * self.size.height as f32));
+        if let Some(smudges) = &self.smudges {
+            smudges.draw(self.size, spoiled.get_or_insert_with(|| seen.to_vec()));
+        }
+        if let Some(droplets) = &self.droplets {
+            droplets.draw(self.size, spoiled.get_or_insert_with(|| seen.to_vec()));
+        }
+        let from = spoiled.as_deref().unwrap_or(seen);
         let middle = Vec2::new(width as f32, height as f32) * 0.5;
         let corner = middle.length_squared();
         // Where red and blue come from along an axis: rows and columns do not depend on each other.

@@ -1,6 +1,7 @@
 //! From radiance to pixels: exposure, tone curve, glare, rain in front of the lens, motion
 //! blur; what lens, sensor and recorder do.
 
+mod defocus;
 mod droplets;
 mod exposure;
 mod finish;
@@ -9,6 +10,7 @@ mod mix;
 mod motion_blur;
 mod rain;
 mod sensor_noise;
+mod smudges;
 mod timestamp;
 mod tone;
 

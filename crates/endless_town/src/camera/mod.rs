@@ -2,6 +2,7 @@
 
 mod candidate;
 mod height_field;
+mod lane_spot;
 mod mount_draw;
 mod occlusion;
 mod pedestrian_candidate;

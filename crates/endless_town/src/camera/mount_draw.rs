@@ -1,11 +1,12 @@
 //! Draws of places from which cameras may look, by what they are mounted on: the ranges that city cameras have.
 
 use super::height_field::{HeightField, TopSurface};
+use super::lane_spot::{LaneSpot, TownView, log_between};
 use super::roadside::beside;
 use super::surroundings::{BuildingPrism, CameraSurroundings, OpenSpace};
 use crate::geometry::unit;
-use endless_road::{Crossing, Lane};
-use endless_world::math::f64::{atan, atan2, exp, ln};
+use endless_road::Crossing;
+use endless_world::math::f64::{atan, atan2};
 use endless_world::{CameraSite, LensModel, Mount, Stream, ViewSubject};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -19,21 +20,8 @@ const MOUNTS: [(Mount, f64); 6] = [
     (Mount::Bridge, 0.2),
     (Mount::Mast, 0.16),
 ];
-/// What cameras look at, by frequency, where all views are wanted.
-const SUBJECTS: [(ViewSubject, f64); 4] = [
-    (ViewSubject::Street, 0.4),
-    (ViewSubject::Junction, 0.28),
-    (ViewSubject::Highway, 0.22),
-    (ViewSubject::Square, 0.1),
-];
 /// Share of squares and parks among squares, parks and crossings.
 const SQUARES: f64 = 0.35;
-/// From which speed a road is a highway, m/s.
-const HIGHWAY_MPS: f64 = 16.0;
-/// Cameras at a junction stand so far before its stop line, metres.
-const BEFORE_JUNCTION_M: [f64; 2] = [3.0, 60.0];
-/// Shorter lanes are no place, metres.
-const SHORTEST_LANE_M: f64 = 12.0;
 /// Steepest and flattest angle below the horizon, and widest and narrowest field of view, degrees.
 const TILT_DEG: [f64; 2] = [5.0, 60.0];
 const FOV_DEG: [f64; 2] = [15.0, 110.0];
@@ -67,75 +55,43 @@ pub(super) struct MountDraw<'s> {
     solids: &'s [BuildingPrism],
     open: &'s [OpenSpace],
     crossings: &'s [Crossing],
-    /// Of each kind of view that is wanted and that the town has: its frequency, and the lanes from which it is seen with
-    /// what is expected on them.
-    subjects: Vec<(ViewSubject, f64, Vec<(&'s Lane, f64)>)>,
-}
-
-/// Between two lengths, short ones as often as long ones.
-fn log_between(low: f64, high: f64, random: &mut Stream) -> f64 {
-    exp(random.range_f64(ln(low), ln(high)))
+    views: Vec<TownView<'s>>,
 }
 
 impl<'s> MountDraw<'s> {
     /// Of a town; of all views if it has none of those that are wanted.
     pub(super) fn new(scene: &CameraSurroundings<'s>, wanted: &[ViewSubject]) -> Self {
-        let network = scene.network;
-        let open_road = |l: &&Lane| l.junction.is_none() && l.centerline.length() > SHORTEST_LANE_M;
-        let weight = |l: &'s Lane| (l, l.centerline.length() * (l.speed_limit_mps / 11.0).clamp(0.6, 1.6));
-        let lanes: Vec<(&Lane, f64)> = network.lanes.iter().filter(open_road).map(weight).collect();
-        let at_junction = |l: &Lane| l.successors.iter().any(|&next| network.lane(next).junction.is_some());
-        let seen_from = |subject| -> Vec<(&'s Lane, f64)> {
-            let from = |l: &Lane| match subject {
-                ViewSubject::Street => l.speed_limit_mps < HIGHWAY_MPS,
-                ViewSubject::Junction => at_junction(l),
-                ViewSubject::Highway => l.speed_limit_mps >= HIGHWAY_MPS,
-                ViewSubject::Square => !scene.open.is_empty() || !network.crossings.is_empty(),
-            };
-            lanes.iter().filter(|(lane, _)| from(lane)).copied().collect()
-        };
-        let of = |wanted: &[ViewSubject]| -> Vec<_> {
-            let subjects = SUBJECTS.iter().filter(|(subject, _)| wanted.contains(subject));
-            let subjects = subjects.map(|&(subject, frequency)| (subject, frequency, seen_from(subject)));
-            subjects.filter(|(_, _, lanes)| !lanes.is_empty()).collect()
-        };
-        let subjects = of(wanted);
-        let subjects = if subjects.is_empty() { of(ViewSubject::ALL) } else { subjects };
-        let CameraSurroundings { relief, solids, open, .. } = *scene;
-        Self { relief, solids, open, crossings: &network.crossings, subjects }
+        let CameraSurroundings { network, relief, solids, open, .. } = *scene;
+        let views = TownView::all(network, !open.is_empty(), wanted);
+        Self { relief, solids, open, crossings: &network.crossings, views }
     }
 
-    /// The lanes of a map from which cameras look that are to see a place.
+    /// The same, from the lanes of a map that are near a place.
     pub(super) fn near(&self, at: DVec2, within_m: f64) -> Self {
-        let close = |lane: &Lane| lane.centerline.project(at).1.abs() < within_m;
-        let of = |(subject, frequency, lanes): &(ViewSubject, f64, Vec<(&'s Lane, f64)>)| {
-            (*subject, *frequency, lanes.iter().filter(|(lane, _)| close(lane)).copied().collect::<Vec<_>>())
-        };
-        let subjects = self.subjects.iter().map(of).filter(|(_, _, lanes)| !lanes.is_empty()).collect();
-        Self { subjects, ..*self }
+        Self { views: self.views.iter().filter_map(|view| view.near(at, within_m)).collect(), ..*self }
     }
 
     /// What a camera is to look at, by its place among the town's, and from what; `None` where there is nothing.
     pub(super) fn intent(&self, random: &mut Stream) -> Option<ViewIntent> {
-        let frequencies: Vec<f64> = self.subjects.iter().map(|subject| subject.1).collect();
-        if frequencies.is_empty() {
+        if self.views.is_empty() {
             return None;
         }
-        let subject = random.weighted(&frequencies);
+        let frequencies: Vec<f64> = self.views.iter().map(|view| view.frequency).collect();
+        let view = random.weighted(&frequencies);
         // Houses stand at streets.
-        let at_houses = self.subjects[subject].0 != ViewSubject::Highway;
+        let at_houses = self.views[view].subject != ViewSubject::Highway;
         let share = |(mount, share)| if at_houses || !matches!(mount, Mount::Wall | Mount::Roof) { share } else { 0.0 };
         let mount = MOUNTS[random.weighted(&MOUNTS.map(share))].0;
-        Some(ViewIntent { subject, mount })
+        Some(ViewIntent { view, mount })
     }
 
     /// A place; `None` where what was drawn has no room.
     pub(super) fn draw(&self, intent: ViewIntent, random: &mut Stream) -> Option<DrawnPlace> {
-        let (subject, _, lanes) = &self.subjects[intent.subject];
-        if *subject == ViewSubject::Square {
+        let view = &self.views[intent.view];
+        if view.subject == ViewSubject::Square {
             return self.over_people(random);
         }
-        let spot = LaneSpot::draw(*subject, lanes, random);
+        let spot = view.spot(random);
         match intent.mount {
             Mount::Wall => self.on_wall(random),
             Mount::Roof => self.on_roof(random),
@@ -241,43 +197,8 @@ impl<'s> MountDraw<'s> {
 /// What a camera is to look at, by its place among the views of a town, and from what.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ViewIntent {
-    subject: usize,
+    view: usize,
     mount: Mount,
-}
-
-/// A place on a lane, and which way from it one looks.
-#[derive(Clone, Copy)]
-struct LaneSpot<'l> {
-    lane: &'l Lane,
-    s: f64,
-    /// Distance of what one must look at, where that matters.
-    ahead: Option<f64>,
-}
-
-impl<'l> LaneSpot<'l> {
-    fn draw(subject: ViewSubject, lanes: &[(&'l Lane, f64)], random: &mut Stream) -> Self {
-        let weights: Vec<f64> = lanes.iter().map(|lane| lane.1).collect();
-        let lane = lanes[random.weighted(&weights)].0;
-        let length = lane.centerline.length();
-        if subject != ViewSubject::Junction {
-            return Self { lane, s: length * random.f64(), ahead: None };
-        }
-        let before = log_between(BEFORE_JUNCTION_M[0], BEFORE_JUNCTION_M[1], random).min(length);
-        Self { lane, s: length - before, ahead: Some(before + random.range_f64(-4.0, 16.0)) }
-    }
-
-    /// A place on the road ahead, or behind.
-    fn aim(&self, distances: [f64; 2], random: &mut Stream) -> DVec3 {
-        let drawn = log_between(distances[0], distances[1], random) * if random.chance(0.5) { 1.0 } else { -1.0 };
-        let ahead = self.ahead.unwrap_or(drawn);
-        let line = &self.lane.centerline;
-        let end = (self.s + ahead).clamp(0.0, line.length());
-        let place = line.at(end);
-        let forward = unit(place.heading_rad);
-        let width = self.lane.width_m;
-        let across = forward.perp() * random.range_f64(-1.2 * width, 1.2 * width);
-        (place.position.truncate() + forward * (self.s + ahead - end) + across).extend(place.position.z)
-    }
 }
 
 /// Above a lane.
