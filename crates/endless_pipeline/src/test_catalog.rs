@@ -36,10 +36,11 @@ impl MapCatalog for ThreeTowns {
     fn draw_sites(&self, map: &str, scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
         let site = self.cameras(map)?.swap_remove(0);
         let draw = |scene: &SiteRequest| {
-            let x = |camera| (scene.seed ^ scene.town_seed.unwrap_or(0)) as f32 + camera as f32;
+            let seed = scene.seed ^ scene.town_seed.unwrap_or(0);
+            let part = |bits: u32| f32::from((seed >> bits) as u16);
             let camera = |camera: u32| CameraSite {
                 name: format!("drawn_{camera}"),
-                position: [x(camera), 0.0, 6.0],
+                position: [part(0), part(16), 6.0 + camera as f32],
                 ..site.clone()
             };
             Some((0..scene.cameras).map(camera).collect())

@@ -56,7 +56,7 @@ mod tests {
         for town_seed in ["fixed", "drawn"] {
             let (short, long) = (plan(20, town_seed, |draft| draft), plan(60, town_seed, |draft| draft));
             assert_eq!(short.scenes, long.scenes[..20]);
-            let places = long.scenes.iter().flat_map(|s| s.cameras.iter().map(|c| c.site.position[0].to_bits()));
+            let places = long.scenes.iter().flat_map(|s| s.cameras.iter().map(|c| c.site.position.map(f32::to_bits)));
             assert_eq!(places.collect::<BTreeSet<_>>().len(), 120);
             assert!(long.scenes.iter().all(|scene| scene.town_seed.is_some() == (town_seed == "drawn")));
             let regions: BTreeSet<&str> = long.scenes.iter().map(|scene| scene.profile.region.name()).collect();
