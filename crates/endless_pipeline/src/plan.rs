@@ -8,6 +8,7 @@ mod drawn_sites;
 mod moved_camera;
 mod overlapping;
 mod partition;
+mod scene_camera;
 mod subsets;
 
 use crate::{
@@ -18,10 +19,10 @@ use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::{DatasetError, DatasetLayout, Manifest, Recipe, read_json};
 use endless_world::{
-    CameraLook, CameraSite, IncidentKind, PerVideo, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation,
-    SceneSettings, Stream, TimeOfDay, TrackPlayback, TrafficProfile,
+    CameraSite, IncidentKind, PerVideo, SceneRandomisation, SceneSettings, Stream, TrackPlayback, TrafficProfile,
 };
 use partition::Costs;
+use scene_camera::{recorder_clock, scene_camera};
 
 /// The settings of every video, by number.
 #[derive(Debug, Clone, PartialEq)]
@@ -181,26 +182,6 @@ fn events(recipe: &Recipe, video: u32) -> Vec<IncidentKind> {
     kinds.iter().copied().skip(video as usize % kinds.len().max(1)).take(1).collect()
 }
 
-/// The recorder's clock of a video.
-fn recorder_clock(recipe: &Recipe, video: u32, time_of_day: TimeOfDay) -> RecorderClock {
-    RecorderClock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]))
-}
-
-/// The camera of a number in a video, at its site.
-fn scene_camera(
-    recipe: &Recipe,
-    (video, time_of_day): (u32, TimeOfDay),
-    randomised: Option<&SceneRandomisation>,
-    (site, number): (CameraSite, u64),
-) -> SceneCamera {
-    let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), number]);
-    let clock = recorder_clock(recipe, video, time_of_day);
-    let look = CameraLook::new(recipe.camera_look, time_of_day, clock, &mut random);
-    let askew = randomised.filter(|r| r.varies(RandomisedPart::Camera));
-    let look = askew.map_or(look, |r| look.randomised(r.strength, &mut random));
-    SceneCamera { site, look }
-}
-
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites, rig } = combination;
@@ -255,7 +236,7 @@ mod tests {
     use super::*;
     use crate::{resolve_recipe, test_catalog::ThreeTowns};
     use endless_dataset::RecipeDraft;
-    use endless_world::Weather;
+    use endless_world::{TimeOfDay, Weather};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
 

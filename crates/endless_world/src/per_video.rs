@@ -22,7 +22,6 @@ impl PerVideo {
     pub const ALL: &[Self] = Self::VARIANTS;
 
     /// Whether it is as the map has it.
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
     pub fn is_fixed(&self) -> bool {
         *self == Self::Fixed
     }

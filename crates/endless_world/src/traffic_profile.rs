@@ -70,7 +70,6 @@ impl RegionChoice {
     }
 
     /// Whether it is what holds where nothing is asked for.
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
     pub fn is_usual(&self) -> bool {
         *self == Self::default()
     }

@@ -3,8 +3,8 @@
 use super::appearance::{Appearance, Carried, Hat};
 use super::choice::choose;
 use super::clothes::{Collar, Garment, GarmentTop, ShoeKind};
+use super::garments::{cloth, leather, light_top, outer, shorts, stockings, trousers};
 use super::palette::{self, BRIGHT, JEWEL};
-use super::wardrobe::{cloth, leather, light_top, outer, shorts, stockings, trousers};
 use endless_scene::Surface;
 use endless_world::Stream;
 

@@ -14,6 +14,7 @@ mod dog;
 mod figure;
 mod gait;
 mod garment_mesh;
+mod garments;
 mod hair;
 mod head;
 mod hold;

@@ -1,6 +1,5 @@
 //! What light carriers are loaded with.
 
-use super::two_wheeler::v;
 use crate::shape::Sculpt;
 use endless_scene::{Material, Surface};
 use endless_world::{ClassTag, Stream};
@@ -71,8 +70,8 @@ impl Freight {
         let top = low.z + height;
         match self {
             Self::Nothing => Sculpt::new(),
-            Self::Crates => stacked(low, high, top, v(0.40, 0.30, 0.25), &CRATES, &mut stream),
-            Self::Cartons => stacked(low, high, top, v(0.46, 0.36, 0.34), &CARTONS, &mut stream),
+            Self::Crates => stacked(low, high, top, Vec3::new(0.40, 0.30, 0.25), &CRATES, &mut stream),
+            Self::Cartons => stacked(low, high, top, Vec3::new(0.46, 0.36, 0.34), &CARTONS, &mut stream),
             Self::Sacks => sacks(low, high, top, &mut stream),
             Self::Bottles => bottles(low, high, &mut stream),
             Self::Heap => heap(low, high, top, &mut stream),
@@ -86,14 +85,19 @@ fn stacked(low: Vec3, high: Vec2, top: f32, unit: Vec3, materials: &[Material], 
     let count = |length: f32, unit: f32| ((length / unit) as usize).max(1);
     let (nx, ny) = (count(high.x - low.x, unit.x), count(high.y - low.y, unit.y));
     let layers = (((top - low.z) / unit.z).ceil() as usize).max(1);
-    let step = v((high.x - low.x) / nx as f32, (high.y - low.y) / ny as f32, (top - low.z) / layers as f32);
+    let step = Vec3::new((high.x - low.x) / nx as f32, (high.y - low.y) / ny as f32, (top - low.z) / layers as f32);
     for i in 0..nx {
         for j in 0..ny {
             let least = if (i, j) == (nx / 2, ny / 2) { layers } else { layers.saturating_sub(2).max(1) };
             let many = least + stream.below(layers - least + 1);
             for k in 0..many {
-                let at = low + step * v(i as f32, j as f32, k as f32);
-                s.add(Sculpt::cuboid(at + 0.012, at + step - v(0.012, 0.012, 0.0), 0.0, *stream.pick(materials)));
+                let at = low + step * Vec3::new(i as f32, j as f32, k as f32);
+                s.add(Sculpt::cuboid(
+                    at + 0.012,
+                    at + step - Vec3::new(0.012, 0.012, 0.0),
+                    0.0,
+                    *stream.pick(materials),
+                ));
             }
         }
     }
@@ -115,7 +119,7 @@ fn sacks(low: Vec3, high: Vec2, top: f32, stream: &mut Stream) -> Sculpt {
                 let x = x0 + (x1 - x0) * (i as f32 + 0.5) / n as f32 + stream.range_f32(-0.015, 0.015);
                 let z = low.z + thick * (k as f32 + 0.5);
                 let half = Vec2::new(0.5 * (x1 - x0) / n as f32, 0.5 * thick);
-                let at = |t: f32, fat: f32| (v(x, from + (to - from) * t, z), half * fat);
+                let at = |t: f32, fat: f32| (Vec3::new(x, from + (to - from) * t, z), half * fat);
                 let sack = [at(0.01, 0.55), at(0.1, 0.85), at(0.3, 1.0), at(0.7, 1.0), at(0.9, 0.85), at(0.99, 0.55)];
                 s.add(Sculpt::sweep(&sack, Vec3::X, 10, 2.6, true, SACK));
             }
@@ -137,7 +141,7 @@ fn bottles(low: Vec3, high: Vec2, stream: &mut Stream) -> Sculpt {
             }
             let x = low.x + (high.x - low.x) * (i as f32 + 0.5) / nx as f32;
             let y = low.y + (high.y - low.y) * (j as f32 + 0.5) / ny as f32;
-            s.add(Sculpt::lathe(&profile, 12, 40.0, color).at(v(x, y, low.z)));
+            s.add(Sculpt::lathe(&profile, 12, 40.0, color).at(Vec3::new(x, y, low.z)));
         }
     }
     s
@@ -156,7 +160,7 @@ fn heap(low: Vec3, high: Vec2, top: f32, stream: &mut Stream) -> Sculpt {
                     let rise = bell(a) * bell(b);
                     let rough = if (0.05..=0.95).contains(&rise) { stream.range_f32(-0.03, 0.03) } else { 0.0 };
                     let z = low.z + 0.02 + (top - low.z - 0.02) * (0.45 + 0.55 * rise) + rough;
-                    v(low.x + a * (high.x - low.x), low.y + b * (high.y - low.y), z)
+                    Vec3::new(low.x + a * (high.x - low.x), low.y + b * (high.y - low.y), z)
                 })
                 .collect()
         })
@@ -174,7 +178,7 @@ mod tests {
 
     #[test]
     fn loads_stay_in_their_bed_and_are_as_high_as_told() {
-        let (low, high) = (v(-1.5, -0.55, 0.6), Vec2::new(0.1, 0.55));
+        let (low, high) = (Vec3::new(-1.5, -0.55, 0.6), Vec2::new(0.1, 0.55));
         for freight in Freight::ALL {
             for seed in 0..20 {
                 let height = freight.height(0.4);

@@ -1,6 +1,6 @@
 //! New cameras for every video.
 
-use super::scene_camera;
+use super::scene_camera::scene_camera;
 use crate::{MapCatalog, PlanError, SiteRequest};
 use endless_dataset::Recipe;
 use endless_world::{SceneSettings, Stream};

@@ -29,6 +29,7 @@ pub use camera_table::known_cameras;
 const RANDOM: &str = "Random";
 
 type MakeLayout = fn() -> (RoadMap, TownPreset);
+type TownMaker = Box<dyn FnOnce() -> (RoadMap, TownPreset)>;
 
 /// CARLA's towns in the paper's order, then two of our own.
 const TOWNS: [(&str, MakeLayout); 10] = [
@@ -111,7 +112,7 @@ pub fn draw_builtin_sites<R>(
 }
 
 /// Of a town the name and what makes its layout.
-fn find(given: &str) -> Result<(String, Box<dyn FnOnce() -> (RoadMap, TownPreset)>), TownError> {
+fn find(given: &str) -> Result<(String, TownMaker), TownError> {
     let plain = given.strip_suffix("_Opt").unwrap_or(given);
     if let Some(number) = random_number(plain) {
         return Ok((plain.to_owned(), Box::new(move || random_town::make(number))));

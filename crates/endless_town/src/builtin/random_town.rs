@@ -230,9 +230,9 @@ impl RandomPlan {
         }
         let inset: Vec<DVec2> = market.iter().map(|&p| DVec2::from(p) * 0.72).collect();
         if random.chance(0.7) {
-            self.layout.square(&inset)
+            self.layout.square(&inset);
         } else {
-            self.layout.land("leisure=park", &inset)
+            self.layout.land("leisure=park", &inset);
         }
         self.northwards = vec![0.0];
     }

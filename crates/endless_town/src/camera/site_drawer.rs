@@ -64,7 +64,7 @@ impl<'s> SiteDrawer<'s> {
         let mut same_street: Option<MountDraw<'_>> = None;
         for number in 0..cameras {
             let places = same_street.as_ref().unwrap_or(&everywhere);
-            let view = self.view(places, Stream::named(seed, "drawn site", &[number as u64]), &sites, overlapping)?;
+            let view = self.view(places, &Stream::named(seed, "drawn site", &[number as u64]), &sites, overlapping)?;
             let site = named_by(<&str>::from(view.place.site.mount), &view.place.site, &sites);
             if overlapping && number == 0 {
                 same_street = Some(everywhere.near(view.place.aim, SAME_STREET_M));
@@ -77,7 +77,7 @@ impl<'s> SiteDrawer<'s> {
     fn view(
         &self,
         places: &MountDraw<'_>,
-        random: Stream,
+        random: &Stream,
         before: &[CameraSite],
         overlapping: bool,
     ) -> Option<GoodView> {
