@@ -236,7 +236,7 @@ mod tests {
     use super::*;
     use crate::{resolve_recipe, test_catalog::ThreeTowns};
     use endless_dataset::RecipeDraft;
-    use endless_world::{TimeOfDay, Weather};
+    use endless_world::{SceneCamera, TimeOfDay, Weather};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
 
