@@ -120,7 +120,7 @@ def test_pictures_of_odd_shapes() -> None:
 
 def test_messages_say_what_to_do() -> None:
     for recipe, said in (
-        ({"vidoes": 3}, "no option 'vidoes': use some of videos"),
+        ({"vidoes": 3}, "no option 'vidoes': use some of .*videos"),
         ({"videos": "three"}, "videos: .*Number of videos"),
         ({"size": (0, 5)}, "write WIDTHxHEIGHT"),
         ({"fps": float("nan")}, "no number"),
