@@ -1,6 +1,7 @@
 //! What builders leave in the street, and what people put up at home: heaps, bricks, scaffolds, laundry, dishes.
 
 use super::paint;
+use super::part::{block, rod, v};
 use crate::shape::Sculpt;
 use endless_scene::{Material, Surface};
 use endless_world::{Stream, math};
@@ -18,18 +19,6 @@ const FABRICS: [Material; 7] = [
     paint::fixed(Surface::Cloth, [0.08, 0.28, 0.26]),
     paint::fixed(Surface::Cloth, [0.55, 0.24, 0.32]),
 ];
-
-const fn v(x: f32, y: f32, z: f32) -> Vec3 {
-    Vec3::new(x, y, z)
-}
-
-fn block(low: Vec3, high: Vec3, material: Material) -> Sculpt {
-    Sculpt::cuboid(low, high, 0.0, material)
-}
-
-fn rod(a: Vec3, b: Vec3, r: f32, material: Material) -> Sculpt {
-    Sculpt::tube(&[(a, r), (b, r)], 8, material)
-}
 
 /// Sand or gravel as it was tipped, 2.4 m across, with a shovel's bite.
 pub(crate) fn sand_heap(variant: u32) -> Sculpt {

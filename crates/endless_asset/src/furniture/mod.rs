@@ -8,6 +8,7 @@ mod glyph;
 mod lamp;
 mod lantern;
 mod paint;
+mod part;
 mod seat;
 mod service;
 mod shelter;

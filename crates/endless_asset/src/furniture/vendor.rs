@@ -1,6 +1,7 @@
 //! What street vendors sell from and bring: carts, blankets, crates.
 
 use super::paint;
+use super::part::{block, rod, v};
 use super::seat::parasol;
 use crate::shape::Sculpt;
 use endless_scene::{Material, Surface};
@@ -31,18 +32,6 @@ const CLOTHS: [Material; 4] = [
     paint::fixed(Surface::Cloth, [0.46, 0.04, 0.035]),
     paint::fixed(Surface::Cloth, [0.05, 0.22, 0.10]),
 ];
-
-const fn v(x: f32, y: f32, z: f32) -> Vec3 {
-    Vec3::new(x, y, z)
-}
-
-fn block(low: Vec3, high: Vec3, material: Material) -> Sculpt {
-    Sculpt::cuboid(low, high, 0.0, material)
-}
-
-fn rod(a: Vec3, b: Vec3, r: f32, material: Material) -> Sculpt {
-    Sculpt::tube(&[(a, r), (b, r)], 8, material)
-}
 
 /// A spoked wheel whose axle lies along y.
 fn spoked(at: Vec3, r: f32) -> Sculpt {

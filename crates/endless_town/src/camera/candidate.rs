@@ -60,7 +60,7 @@ pub(crate) struct CameraCandidate {
 }
 
 /// From which speed a road is a highway, m/s.
-const HIGHWAY_MPS: f64 = 16.0;
+pub(super) const HIGHWAY_MPS: f64 = 16.0;
 /// Squares and parks smaller than this are no place, m².
 const LEAST_OPEN_M2: f64 = 260.0;
 /// Most candidates of a kind that are judged.

@@ -1,5 +1,6 @@
 //! Places on lanes from which a street, a junction or a highway is seen.
 
+use super::candidate::HIGHWAY_MPS;
 use crate::geometry::unit;
 use endless_road::{Lane, RoadNetwork};
 use endless_world::math::f64::{exp, ln};
@@ -13,8 +14,6 @@ const SUBJECTS: [(ViewSubject, f64); 4] = [
     (ViewSubject::Highway, 0.22),
     (ViewSubject::Square, 0.1),
 ];
-/// From which speed a road is a highway, m/s.
-const HIGHWAY_MPS: f64 = 16.0;
 /// Cameras at a junction stand so far before its stop line, metres.
 const BEFORE_JUNCTION_M: [f64; 2] = [3.0, 60.0];
 /// Shorter lanes are no place, metres.

@@ -62,12 +62,15 @@ impl<'s> SiteDrawer<'s> {
         let everywhere = MountDraw::new(&self.scene, views);
         let mut sites: Vec<CameraSite> = Vec::new();
         let mut same_street: Option<MountDraw<'_>> = None;
+        // What the cameras see that others are to see, too.
+        let mut seen: Vec<Vec<u32>> = Vec::new();
         for number in 0..cameras {
             let places = same_street.as_ref().unwrap_or(&everywhere);
-            let view = self.view(places, &Stream::named(seed, "drawn site", &[number as u64]), &sites, overlapping)?;
+            let view = self.view(places, &Stream::named(seed, "drawn site", &[number as u64]), &sites, &seen)?;
             let site = named_by(<&str>::from(view.place.site.mount), &view.place.site, &sites);
-            if overlapping && number == 0 {
-                same_street = Some(everywhere.near(view.place.aim, SAME_STREET_M));
+            if overlapping {
+                seen.push(self.judge.places_seen(&site));
+                same_street.get_or_insert_with(|| everywhere.near(view.place.aim, SAME_STREET_M));
             }
             sites.push(site);
         }
@@ -79,16 +82,16 @@ impl<'s> SiteDrawer<'s> {
         places: &MountDraw<'_>,
         random: &Stream,
         before: &[CameraSite],
-        overlapping: bool,
+        seen: &[Vec<u32>],
     ) -> Option<GoodView> {
         (0..MOUNTS).find_map(|attempt| {
             let random = random.fork(attempt);
             let intent = places.intent(&mut random.fork(PLACES))?;
             let good = (0..PLACES).filter_map(|attempt| {
                 let place = places.draw(intent, &mut random.fork(attempt))?;
-                let shares = !overlapping || before.is_empty() || self.overlaps(&place.site, before);
-                (is_another(&place.site, before) && shares).then_some(())?;
-                self.worth(&place).map(|worth| GoodView { place, worth })
+                is_another(&place.site, before).then_some(())?;
+                let worth = self.worth(&place)?;
+                (seen.is_empty() || self.overlaps(&place.site, seen)).then_some(GoodView { place, worth })
             });
             good.take(GOOD_TO_CHOOSE_FROM).max_by(|a, b| a.worth.total_cmp(&b.worth))
         })
@@ -116,10 +119,9 @@ impl<'s> SiteDrawer<'s> {
     }
 
     /// Whether it sees part of what one of the others sees.
-    fn overlaps(&self, site: &CameraSite, before: &[CameraSite]) -> bool {
+    fn overlaps(&self, site: &CameraSite, seen: &[Vec<u32>]) -> bool {
         let own = self.judge.places_seen(site);
-        before.iter().any(|other| {
-            let theirs = self.judge.places_seen(other);
+        seen.iter().any(|theirs| {
             let both = own.iter().filter(|place| theirs.binary_search(place).is_ok()).count();
             both as f64 >= SHARED * own.len().min(theirs.len()).max(1) as f64
         })

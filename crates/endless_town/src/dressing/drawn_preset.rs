@@ -52,9 +52,9 @@ impl DrawnPreset {
         preset.bus_lanes = random.chance(BUS_LANES).then(|| *random.pick(&BUS_LANE_COLORS));
         for zone in &mut preset.zones {
             let (low, high) = zone.storeys;
-            let more = random.below(3) as u32;
-            zone.storeys = (low.saturating_sub(random.below(2) as u32).max(1), (high + more).saturating_sub(1).max(1));
-            zone.storeys.1 = zone.storeys.1.max(zone.storeys.0);
+            let high = (high + random.below(3) as u32).saturating_sub(1);
+            let low = low.saturating_sub(random.below(2) as u32).max(1);
+            zone.storeys = (low, high.max(low));
             zone.open = (zone.open * random.range_f64(0.5, 2.2)).min(0.9);
         }
         Self { preset, tints: GroundTints::draw(&mut random) }

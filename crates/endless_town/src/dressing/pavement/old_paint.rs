@@ -1,7 +1,6 @@
 //! Paint of other times and for other users: what is left of lines that were moved, and lanes for buses.
 
 use crate::dressing::pavement::paint::{line, painted};
-use crate::dressing::pavement::surface::PAINT_M;
 use endless_road::{Lane, RoadMap};
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
@@ -43,6 +42,6 @@ pub(crate) fn add_bus_lanes(mesh: &mut MeshBuilder, map: &RoadMap, color: [f32; 
     for lane in map.network.lanes.iter().filter(outer) {
         let piece = (BUS_LANE_ENDS_M, lane.centerline.length() - BUS_LANE_ENDS_M);
         let width = lane.width_m - 2.0 * BUS_LANE_EDGE_M;
-        line(mesh, &lane.centerline, piece, (0.0, width), paint, BELOW_PAINT_M.min(PAINT_M));
+        line(mesh, &lane.centerline, piece, (0.0, width), paint, BELOW_PAINT_M);
     }
 }
