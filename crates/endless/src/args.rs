@@ -272,6 +272,9 @@ pub(crate) struct SimulateArgs {
     /// Share of motorcycles and bicycles among moving vehicles, instead of the region's.
     #[arg(long, value_name = "0..1", value_parser = share)]
     pub(crate) two_wheelers: Option<f64>,
+    /// Share of trucks and buses among moving vehicles that are no two-wheelers, instead of the region's.
+    #[arg(long, value_name = "0..1", value_parser = share)]
+    pub(crate) heavy_vehicles: Option<f64>,
     /// How drivers drive: 0 all cautious, 0.5 as counted on real streets, 1 all bold.
     #[arg(long, value_name = "0..1", default_value_t = 0.5, value_parser = share)]
     pub(crate) aggressiveness: f64,

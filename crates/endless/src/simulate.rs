@@ -50,6 +50,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         profile: TrafficProfile {
             region: args.region,
             two_wheelers: args.two_wheelers,
+            heavy_vehicles: args.heavy_vehicles,
             aggressiveness: args.aggressiveness,
             signals: args.signals,
             ..TrafficProfile::default()

@@ -91,6 +91,7 @@ const FURNITURE: &[Prop] = &[
     Prop::BuildingStock,
     Prop::ScaffoldBay,
     Prop::LaundryLine,
+    Prop::KerbRail,
     Prop::SatelliteDish,
 ];
 

@@ -176,8 +176,8 @@ impl Catalogue {
     }
 
     /// The heads of a traffic light; none of other props.
-    pub fn signal_heads(prop: Prop) -> Vec<SignalHead> {
-        furniture::signal_heads(prop)
+    pub fn signal_heads(prop: Prop, variant: u32) -> Vec<SignalHead> {
+        furniture::signal_heads(prop, variant)
     }
 
     /// The plate of a traffic sign; `None` for other props.

@@ -44,11 +44,11 @@ pub enum Prop {
     Bench,
     /// Litter bin.
     Bin,
-    /// Hydrant.
+    /// Hydrant, a stout one or a pillar.
     Hydrant,
     /// Post box.
     PostBox,
-    /// Bollard, 0.9 m.
+    /// Bollard, about 0.9 m.
     Bollard,
     /// Bus shelter along y, 4 m long, open to +x.
     BusShelter,
@@ -200,6 +200,8 @@ pub enum Prop {
     ScaffoldBay,
     /// Clothes on lines between two poles 4 m apart along x.
     LaundryLine,
+    /// Railing between sidewalk and carriageway, 2 m along x, 1 m high.
+    KerbRail,
     /// Satellite dish on a short mast, looking up towards +x.
     SatelliteDish,
 }
@@ -216,6 +218,23 @@ impl Prop {
     /// Whether it shows the state of a signal program.
     pub const fn is_signal(self) -> bool {
         matches!(self, Self::SignalPole | Self::SignalMast | Self::WalkSignal | Self::SpanSignal | Self::CycleSignal)
+    }
+
+    /// Whether a town buys many of one model.
+    pub const fn is_municipal(self) -> bool {
+        self.is_signal()
+            || matches!(
+                self,
+                Self::StreetLamp
+                    | Self::ParkLamp
+                    | Self::Bin
+                    | Self::Bollard
+                    | Self::Hydrant
+                    | Self::PostBox
+                    | Self::PhoneBooth
+                    | Self::StreetName
+                    | Self::KerbRail
+            )
     }
 
     /// Whether it is of nature: what grows, and rocks.

@@ -18,8 +18,9 @@ use crate::{
 use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::{DatasetError, DatasetLayout, Manifest, Recipe, read_json};
+use endless_world::math::f64::{exp, ln};
 use endless_world::{
-    CameraSite, IncidentKind, PerVideo, SceneRandomisation, SceneSettings, Stream, TrackPlayback, TrafficProfile,
+    CameraSite, IncidentKind, PerVideo, RegionChoice, SceneRandomisation, SceneSettings, Stream, TrackPlayback, TrafficProfile,
 };
 use partition::Costs;
 use scene_camera::{recorder_clock, scene_camera};
@@ -182,6 +183,15 @@ fn events(recipe: &Recipe, video: u32) -> Vec<IncidentKind> {
     kinds.iter().copied().skip(video as usize % kinds.len().max(1)).take(1).collect()
 }
 
+/// The share of heavy vehicles: what is asked for, or one of the video's own where its region is drawn, from that of a
+/// street of shops to that of a road to the docks.
+fn heavy_vehicles(recipe: &Recipe, video: u32) -> Option<f64> {
+    let mut random = Stream::named(recipe.seed, "heavy vehicles", &[u64::from(video)]);
+    let drawn = recipe.region == RegionChoice::Drawn;
+    let [least, most] = [0.03, 0.35].map(ln);
+    recipe.heavy_vehicles.or_else(|| drawn.then(|| exp(random.range_f64(least, most))))
+}
+
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites, rig } = combination;
@@ -210,6 +220,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         profile: TrafficProfile {
             region: recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)])),
             two_wheelers: recipe.two_wheelers,
+            heavy_vehicles: heavy_vehicles(recipe, video),
             aggressiveness: recipe.aggressiveness,
             parked: recipe.parked,
             signals: recipe.signals,

@@ -117,10 +117,16 @@ pub(crate) fn looks(spec: &VehicleSpec, region: Region) -> LookPool {
 
 /// The frequency of each of these models among moving vehicles; they need not sum to 1.
 pub(crate) fn frequencies(specs: &[VehicleSpec], profile: &TrafficProfile) -> Vec<f64> {
-    let TrafficProfile { region, two_wheelers, .. } = *profile;
+    let TrafficProfile { region, two_wheelers, heavy_vehicles, .. } = *profile;
     let mut weights: Vec<f64> = specs.iter().map(|spec| spec.frequency * design_factor(region, spec.name)).collect();
     if let Some(shares) = class_shares(region) {
         scale_to(specs, &mut weights, |class| CLASSES.iter().position(|&other| other == class), &shares);
+    }
+    if let Some(share) = heavy_vehicles {
+        let is_heavy = |class| matches!(class, ObjectClass::Truck | ObjectClass::Bus);
+        let of_all: f64 = specs.iter().zip(&weights).filter(|(s, _)| !s.class.two_wheeled()).map(|(_, w)| w).sum();
+        let group = |class: ObjectClass| (!class.two_wheeled()).then(|| usize::from(is_heavy(class)));
+        scale_to(specs, &mut weights, group, &[of_all * (1.0 - share), of_all * share]);
     }
     if let Some(share) = two_wheelers {
         scale_to(specs, &mut weights, |class| Some(usize::from(class.two_wheeled())), &[1.0 - share, share]);
@@ -185,6 +191,23 @@ mod tests {
             for wanted in [0.0, 0.4, 1.0] {
                 let profile = TrafficProfile { region, two_wheelers: Some(wanted), ..TrafficProfile::default() };
                 assert!((share(profile, |spec| spec.class.two_wheeled()) - wanted).abs() < 1e-9, "{region}");
+            }
+        }
+    }
+
+    #[test]
+    fn heavy_vehicles_have_the_share_that_is_asked_for_beside_that_of_two_wheelers() {
+        let heavy = |spec: &VehicleSpec| matches!(spec.class, ObjectClass::Truck | ObjectClass::Bus);
+        for &region in Region::ALL {
+            for (wanted, two_wheelers) in [(0.0, 0.0), (0.25, 0.4), (1.0, 0.5)] {
+                let profile = TrafficProfile {
+                    region,
+                    two_wheelers: Some(two_wheelers),
+                    heavy_vehicles: Some(wanted),
+                    ..TrafficProfile::default()
+                };
+                assert!((share(profile, heavy) - wanted * (1.0 - two_wheelers)).abs() < 1e-9, "{region}");
+                assert!((share(profile, |spec| spec.class.two_wheeled()) - two_wheelers).abs() < 1e-9, "{region}");
             }
         }
     }

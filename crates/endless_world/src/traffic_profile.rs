@@ -120,6 +120,9 @@ pub struct TrafficProfile {
     /// Share of motorcycles and bicycles among moving vehicles, 0 to 1; the region's if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub two_wheelers: Option<f64>,
+    /// Share of trucks and buses among moving vehicles that are no two-wheelers, 0 to 1; the region's if there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heavy_vehicles: Option<f64>,
     /// How drivers drive: 0.5 as published distributions have it, 0 all cautious, 1 all bold.
     pub aggressiveness: f64,
     /// Share of the map's parked vehicles that are there, 0 to 1.
@@ -134,6 +137,7 @@ impl Default for TrafficProfile {
         Self {
             region: Region::default(),
             two_wheelers: None,
+            heavy_vehicles: None,
             aggressiveness: 0.5,
             parked: 1.0,
             signals: SignalControl::default(),

@@ -1,6 +1,7 @@
 //! What labels need to know of traffic lights and signs: where their heads, lenses and plates are in the object frame.
 
 use super::sign::FRONT;
+use super::signal_look;
 use crate::Prop;
 use endless_scene::{LensAspect, Mesh};
 use glam::Vec3;
@@ -33,6 +34,8 @@ const VEHICLE: HeadDesign = HeadDesign {
     lenses: &[(LensAspect::Red, 0.27), (LensAspect::Yellow, 0.0), (LensAspect::Green, -0.27)],
     lens_radius_m: 0.10,
 };
+const WITHOUT_PLATE: HeadDesign =
+    HeadDesign { low: Vec3::new(-0.17, -0.145, -0.42), high: Vec3::new(0.0, 0.145, 0.42), ..VEHICLE };
 const BICYCLE: HeadDesign = HeadDesign {
     low: Vec3::new(-0.10, -0.075, -0.25),
     high: Vec3::new(0.0, 0.075, 0.25),
@@ -59,16 +62,17 @@ impl HeadDesign {
 }
 
 /// The heads of a prop; none of what is no traffic light.
-pub(crate) fn signal_heads(prop: Prop) -> Vec<SignalHead> {
+pub(crate) fn signal_heads(prop: Prop, variant: u32) -> Vec<SignalHead> {
+    let vehicle = if signal_look::of(variant).plate.is_some() { VEHICLE } else { WITHOUT_PLATE };
     let (design, middles): (_, &[Vec3]) = match prop {
-        Prop::SignalPole => (VEHICLE, &[Vec3::new(0.28, 0.0, 3.2)]),
+        Prop::SignalPole => (vehicle, &[Vec3::new(0.28, 0.0, 3.2)]),
         Prop::SignalMast => {
-            (VEHICLE, &[Vec3::new(0.33, 0.0, 3.2), Vec3::new(0.24, -2.6, 5.80), Vec3::new(0.24, -5.2, 5.80)])
+            (vehicle, &[Vec3::new(0.33, 0.0, 3.2), Vec3::new(0.24, -2.6, 5.80), Vec3::new(0.24, -5.2, 5.80)])
         }
         // Under the lower wire, which sags by 0.85 m.
         Prop::SpanSignal => {
             const Z: f32 = 7.4 - 0.85 * (1.0 - 1.9 * 1.9 / 49.0) - 0.72;
-            (VEHICLE, &[Vec3::new(0.10, -1.9, Z), Vec3::new(0.10, 1.9, Z)])
+            (vehicle, &[Vec3::new(0.10, -1.9, Z), Vec3::new(0.10, 1.9, Z)])
         }
         Prop::CycleSignal => (BICYCLE, &[Vec3::new(0.16, 0.0, 2.35)]),
         Prop::WalkSignal => (PEDESTRIAN, &[Vec3::new(0.22, 0.0, 2.4)]),
@@ -135,9 +139,9 @@ mod tests {
 
     #[test]
     fn heads_are_where_the_meshes_have_lenses() {
-        for &prop in Prop::ALL {
-            let mesh = furniture(prop, 0);
-            let heads = signal_heads(prop);
+        for (&prop, variant) in Prop::ALL.iter().flat_map(|prop| (0..variants(*prop)).map(move |v| (prop, v))) {
+            let mesh = furniture(prop, variant);
+            let heads = signal_heads(prop, variant);
             assert_eq!(heads.is_empty(), !prop.is_signal(), "{}", prop.name());
             let mut seen = vec![0; heads.len()];
             for (triangle, &material) in mesh.triangles.iter().zip(&mesh.triangle_materials) {

@@ -15,6 +15,7 @@ mod shelter;
 mod sign;
 mod sign_face;
 mod signal;
+mod signal_look;
 mod small;
 mod square;
 mod vendor;
@@ -35,9 +36,9 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::StreetLamp => lamp::street_lamp(variant),
         Prop::UtilityPole => lamp::utility_pole(),
         Prop::CameraPole => lamp::camera_pole(),
-        Prop::SignalPole => signal::pole_head(),
-        Prop::SignalMast => signal::mast(),
-        Prop::WalkSignal => signal::walk(),
+        Prop::SignalPole => signal::pole_head(signal_look::of(variant)),
+        Prop::SignalMast => signal::mast(signal_look::of(variant)),
+        Prop::WalkSignal => signal::walk(signal_look::of(variant)),
         Prop::StopSign => sign::stop(),
         Prop::YieldSign => sign::give_way(),
         Prop::SpeedSign => sign::speed(variant),
@@ -45,9 +46,9 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::Bench => seat::bench(),
         Prop::CafeTable => seat::cafe_table(variant),
         Prop::Bin => small::bin(variant),
-        Prop::Hydrant => small::hydrant(),
+        Prop::Hydrant => small::hydrant(variant),
         Prop::PostBox => small::post_box(variant),
-        Prop::Bollard => small::bollard(),
+        Prop::Bollard => small::bollard(variant),
         Prop::Cone => small::cone(),
         Prop::Cabinet => small::cabinet(),
         Prop::Dumpster => small::dumpster(variant),
@@ -56,14 +57,15 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::Billboard => shelter::billboard(variant),
         Prop::Kiosk => shelter::kiosk(variant),
         Prop::Railing => wall::railing(),
+        Prop::KerbRail => wall::kerb_rail(variant),
         Prop::FencePanel => wall::fence_panel(),
         Prop::LanternPost => lantern::lantern_post(),
         Prop::ParkLamp => lantern::park_lamp(variant),
         Prop::DoubleLamp => lantern::double_lamp(),
         Prop::HighMast => lantern::high_mast(),
         Prop::CrowdedPole => lamp::crowded_pole(),
-        Prop::SpanSignal => signal::span_wire(),
-        Prop::CycleSignal => signal::cycle_signal(),
+        Prop::SpanSignal => signal::span_wire(signal_look::of(variant)),
+        Prop::CycleSignal => signal::cycle_signal(signal_look::of(variant)),
         Prop::TrafficSign => sign_face::sign(variant),
         Prop::StreetName => advert::street_name(variant),
         Prop::GuideSign => advert::guide_sign(variant),
@@ -137,6 +139,9 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
 pub(crate) fn variants(prop: Prop) -> u32 {
     match prop {
         Prop::TrafficSign => CODES.len() as u32,
+        Prop::Bollard => small::BOLLARDS,
+        Prop::KerbRail => wall::KERB_RAILS,
+        prop if prop.is_signal() => signal_look::COUNT,
         Prop::AdvertColumn
         | Prop::WheelieBins
         | Prop::RubbishBags
@@ -145,6 +150,7 @@ pub(crate) fn variants(prop: Prop) -> u32 {
         | Prop::CrateStack => 4,
         Prop::StreetLamp
         | Prop::SpeedSign
+        | Prop::Hydrant
         | Prop::CafeTable
         | Prop::Billboard
         | Prop::Kiosk

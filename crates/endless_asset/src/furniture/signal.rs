@@ -2,15 +2,16 @@
 
 use super::lamp::pole;
 use super::paint;
+use super::signal_look::SignalLook;
 use crate::shape::Sculpt;
 use endless_scene::Material;
 use glam::{Affine3A, Quat, Vec3};
 use std::f32::consts::FRAC_PI_2;
 
 /// A lens facing +x with a visor over it.
-fn lens(centre: Vec3, radius: f32, material: Material) -> Sculpt {
+fn lens(centre: Vec3, radius: f32, material: Material, housing: Material) -> Sculpt {
     let mut s = Sculpt::lathe(&[(radius, 0.0), (radius * 0.7, 0.016), (0.0, 0.024)], 20, 60.0, material);
-    s.add(Sculpt::lathe(&[(radius * 1.12, 0.0), (radius * 1.12, 0.012), (radius, 0.012)], 20, 30.0, paint::HOUSING));
+    s.add(Sculpt::lathe(&[(radius * 1.12, 0.0), (radius * 1.12, 0.012), (radius, 0.012)], 20, 30.0, housing));
     // The visor: most of a cylinder, open below, seen from both sides.
     let n = 14;
     let (mut outer, mut inner) = (Vec::new(), Vec::new());
@@ -30,54 +31,61 @@ fn lens(centre: Vec3, radius: f32, material: Material) -> Sculpt {
         inner.push(ring(radius * 1.09));
     }
     let mut visor = Sculpt::new();
-    visor.grid(&outer, false, paint::HOUSING);
+    visor.grid(&outer, false, housing);
     visor.grid(&inner, false, paint::HOUSING);
     s.add(visor.smooth(40.0));
     // z turns to +x, −x to +z.
     s.placed(Affine3A::from_rotation_translation(Quat::from_rotation_y(FRAC_PI_2), centre))
 }
 
-/// A three-lens head facing +x, its middle at this place, on a back-plate.
-fn head(centre: Vec3) -> Sculpt {
+/// A three-lens head facing +x, its middle at this place, on a back-plate if it has one.
+fn head(centre: Vec3, look: &SignalLook) -> Sculpt {
     let (r, pitch) = (0.10, 0.27);
     let mut s = Sculpt::cuboid(
         centre + Vec3::new(-0.17, -0.145, -0.42),
         centre + Vec3::new(0.0, 0.145, 0.42),
         0.025,
-        paint::HOUSING,
+        look.housing,
     );
-    s.add(Sculpt::cuboid(
-        centre + Vec3::new(-0.12, -0.25, -0.54),
-        centre + Vec3::new(-0.10, 0.25, 0.54),
-        0.008,
-        paint::HOUSING,
-    ));
+    if let Some(plate) = look.plate {
+        let board = |x: [f32; 2], half: [f32; 2], material: Material| {
+            let corner = |x: f32, sign: f32| centre + Vec3::new(x, sign * half[0], sign * half[1]);
+            Sculpt::cuboid(corner(x[0], -1.0), corner(x[1], 1.0), 0.008, material)
+        };
+        match plate.edge {
+            None => s.add(board([-0.12, -0.10], [0.25, 0.54], plate.face)),
+            Some(edge) => {
+                s.add(board([-0.12, -0.105], [0.25, 0.54], edge));
+                s.add(board([-0.115, -0.10], [0.205, 0.495], plate.face));
+            }
+        }
+    }
     for (i, m) in [paint::GREEN_LENS, paint::YELLOW_LENS, paint::RED_LENS].into_iter().enumerate() {
-        s.add(lens(centre + Vec3::new(0.002, 0.0, pitch * (i as f32 - 1.0)), r, m));
+        s.add(lens(centre + Vec3::new(0.002, 0.0, pitch * (i as f32 - 1.0)), r, m, look.housing));
     }
     s
 }
 
-fn bracket(from: Vec3, to: Vec3) -> Sculpt {
-    Sculpt::tube(&[(from, 0.022), (to, 0.022)], 8, paint::POLE)
+fn bracket(from: Vec3, to: Vec3, look: &SignalLook) -> Sculpt {
+    Sculpt::tube(&[(from, 0.022), (to, 0.022)], 8, look.pole)
 }
 
 /// A pole with one head at 3.2 m.
-pub(crate) fn pole_head() -> Sculpt {
-    let mut s = pole(3.75, 0.07, 0.055, paint::POLE);
-    s.add(head(Vec3::new(0.28, 0.0, 3.2)));
+pub(crate) fn pole_head(look: &SignalLook) -> Sculpt {
+    let mut s = pole(3.75, 0.07, 0.055, look.pole);
+    s.add(head(Vec3::new(0.28, 0.0, 3.2), look));
     for dz in [-0.3, 0.3] {
-        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.13, 0.0, 3.2 + dz)));
+        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.13, 0.0, 3.2 + dz), look));
     }
     s
 }
 
 /// Pole with an arm along −y.
-pub(crate) fn mast() -> Sculpt {
-    let mut s = pole(5.95, 0.13, 0.10, paint::POLE);
-    s.add(head(Vec3::new(0.33, 0.0, 3.2)));
+pub(crate) fn mast(look: &SignalLook) -> Sculpt {
+    let mut s = pole(5.95, 0.13, 0.10, look.pole);
+    s.add(head(Vec3::new(0.33, 0.0, 3.2), look));
     for dz in [-0.3, 0.3] {
-        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.17, 0.0, 3.2 + dz)));
+        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.17, 0.0, 3.2 + dz), look));
     }
     let arm = [
         (Vec3::new(0.0, 0.12, 5.72), 0.075),
@@ -85,21 +93,21 @@ pub(crate) fn mast() -> Sculpt {
         (Vec3::new(0.0, -3.0, 5.80), 0.055),
         (Vec3::new(0.0, -5.5, 5.80), 0.042),
     ];
-    s.add(Sculpt::tube(&arm, 12, paint::POLE));
+    s.add(Sculpt::tube(&arm, 12, look.pole));
     for y in [-2.6, -5.2] {
-        s.add(head(Vec3::new(0.24, y, 5.80)));
-        s.add(bracket(Vec3::new(0.0, y, 5.80), Vec3::new(0.10, y, 5.80)));
+        s.add(head(Vec3::new(0.24, y, 5.80), look));
+        s.add(bracket(Vec3::new(0.0, y, 5.80), Vec3::new(0.10, y, 5.80), look));
     }
     s
 }
 
 /// Two poles 14 m apart along y, a wire between them, and two heads hung from it, facing +x.
-pub(crate) fn span_wire() -> Sculpt {
+pub(crate) fn span_wire(look: &SignalLook) -> Sculpt {
     let mut s = Sculpt::new();
     for y in [-7.0, 7.0] {
-        s.add(pole(7.6, 0.15, 0.10, paint::POLE).at(Vec3::Y * y));
+        s.add(pole(7.6, 0.15, 0.10, look.pole).at(Vec3::Y * y));
     }
-    let cable = Material { base_color: [0.03; 3], ..paint::POLE };
+    let cable = Material { base_color: [0.03; 3], ..look.pole };
     let sag = |y: f32, depth: f32| 7.4 - depth * (1.0 - (y / 7.0) * (y / 7.0));
     let wire = |depth: f32, r: f32| -> Sculpt {
         let path: Vec<(Vec3, f32)> =
@@ -110,45 +118,45 @@ pub(crate) fn span_wire() -> Sculpt {
     s.add(wire(0.85, 0.010));
     for y in [-1.9, 1.9] {
         let top = sag(y, 0.85);
-        s.add(head(Vec3::new(0.10, y, top - 0.72)));
-        s.add(bracket(Vec3::new(0.0, y, top - 0.2), Vec3::new(0.0, y, sag(y, 0.5))));
+        s.add(head(Vec3::new(0.10, y, top - 0.72), look));
+        s.add(bracket(Vec3::new(0.0, y, top - 0.2), Vec3::new(0.0, y, sag(y, 0.5)), look));
     }
     s
 }
 
 /// A head at 2.2 m for those who wait first in line, over one for cyclists, on a thin pole.
-pub(crate) fn cycle_signal() -> Sculpt {
-    let mut s = pole(2.7, 0.05, 0.045, paint::POLE);
+pub(crate) fn cycle_signal(look: &SignalLook) -> Sculpt {
+    let mut s = pole(2.7, 0.05, 0.045, look.pole);
     let centre = Vec3::new(0.16, 0.0, 2.35);
     s.add(Sculpt::cuboid(
         centre - Vec3::new(0.10, 0.075, 0.25),
         centre + Vec3::new(0.0, 0.075, 0.25),
         0.015,
-        paint::HOUSING,
+        look.housing,
     ));
     for (i, m) in [paint::GREEN_LENS, paint::YELLOW_LENS, paint::RED_LENS].into_iter().enumerate() {
-        s.add(lens(centre + Vec3::new(0.002, 0.0, 0.155 * (i as f32 - 1.0)), 0.055, m));
+        s.add(lens(centre + Vec3::new(0.002, 0.0, 0.155 * (i as f32 - 1.0)), 0.055, m, look.housing));
     }
     for dz in [-0.2, 0.2] {
-        s.add(bracket(Vec3::new(0.0, 0.0, 2.35 + dz), Vec3::new(0.08, 0.0, 2.35 + dz)));
+        s.add(bracket(Vec3::new(0.0, 0.0, 2.35 + dz), Vec3::new(0.08, 0.0, 2.35 + dz), look));
     }
     s
 }
 
 /// Pedestrian signal: red above green at 2.4 m, and a push button.
-pub(crate) fn walk() -> Sculpt {
-    let mut s = pole(2.75, 0.055, 0.05, paint::POLE);
+pub(crate) fn walk(look: &SignalLook) -> Sculpt {
+    let mut s = pole(2.75, 0.055, 0.05, look.pole);
     let centre = Vec3::new(0.22, 0.0, 2.4);
     s.add(Sculpt::cuboid(
         centre + Vec3::new(-0.14, -0.13, -0.27),
         centre + Vec3::new(0.0, 0.13, 0.27),
         0.02,
-        paint::HOUSING,
+        look.housing,
     ));
-    s.add(lens(centre + Vec3::new(0.002, 0.0, 0.125), 0.095, paint::RED_LENS));
-    s.add(lens(centre + Vec3::new(0.002, 0.0, -0.125), 0.095, paint::GREEN_LENS));
-    s.add(bracket(Vec3::new(0.0, 0.0, 2.4), centre - Vec3::X * 0.1));
-    let yellow = Material { base_color: [0.70, 0.42, 0.01], ..paint::HOUSING };
+    s.add(lens(centre + Vec3::new(0.002, 0.0, 0.125), 0.095, paint::RED_LENS, look.housing));
+    s.add(lens(centre + Vec3::new(0.002, 0.0, -0.125), 0.095, paint::GREEN_LENS, look.housing));
+    s.add(bracket(Vec3::new(0.0, 0.0, 2.4), centre - Vec3::X * 0.1, look));
+    let yellow = Material { base_color: [0.70, 0.42, 0.01], ..look.housing };
     s.add(Sculpt::cuboid(Vec3::new(0.05, -0.05, 0.98), Vec3::new(0.12, 0.05, 1.20), 0.015, yellow));
     s
 }

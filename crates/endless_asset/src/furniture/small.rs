@@ -30,8 +30,13 @@ pub(crate) fn bin(variant: u32) -> Sculpt {
     s
 }
 
-pub(crate) fn hydrant() -> Sculpt {
-    let red = paint::fixed(Surface::Painted, [0.48, 0.03, 0.02]);
+/// A stout one in red or yellow, or a slim pillar.
+pub(crate) fn hydrant(variant: u32) -> Sculpt {
+    if variant % 3 == 2 {
+        return pillar_hydrant();
+    }
+    let color = [[0.48, 0.03, 0.02], [0.62, 0.38, 0.01]][variant as usize % 3];
+    let red = paint::fixed(Surface::Painted, color);
     let profile = [
         (0.0, 0.0),
         (0.16, 0.0),
@@ -54,6 +59,19 @@ pub(crate) fn hydrant() -> Sculpt {
     s
 }
 
+/// A pillar of 1.1 m with two outlets, as in central Europe.
+fn pillar_hydrant() -> Sculpt {
+    let red = paint::fixed(Surface::Painted, [0.45, 0.03, 0.02]);
+    let profile =
+        [(0.0, 0.0), (0.13, 0.0), (0.13, 0.05), (0.085, 0.08), (0.08, 0.98), (0.095, 1.0), (0.08, 1.06), (0.0, 1.12)];
+    let mut s = Sculpt::lathe(&profile, 16, 35.0, red);
+    for y in [-1.0, 1.0] {
+        let outlet = [(Vec3::new(0.0, 0.06 * y, 0.72), 0.045), (Vec3::new(0.0, 0.17 * y, 0.72), 0.045)];
+        s.add(Sculpt::tube(&outlet, 12, paint::STEEL).both_sides());
+    }
+    s
+}
+
 pub(crate) fn post_box(variant: u32) -> Sculpt {
     let color = paint::fixed(Surface::Painted, [[0.72, 0.46, 0.01], [0.50, 0.02, 0.02]][variant as usize % 2]);
     let mut s = Sculpt::cuboid(Vec3::new(-0.20, -0.24, 0.42), Vec3::new(0.20, 0.24, 1.25), 0.045, color);
@@ -68,7 +86,54 @@ pub(crate) fn post_box(variant: u32) -> Sculpt {
     s
 }
 
-pub(crate) fn bollard() -> Sculpt {
+/// How many bollards there are.
+pub(crate) const BOLLARDS: u32 = 6;
+
+/// Of cast iron with a band, a steel tube, a plastic delineator, of concrete, of timber, or slim in black.
+pub(crate) fn bollard(variant: u32) -> Sculpt {
+    let band = |low: f32, high: f32| Region::all().beyond(Vec3::Z, low).within(Vec3::Z, high);
+    let white = paint::fixed(Surface::Plate, [0.75, 0.75, 0.75]);
+    let stick = |radius: f32, height: f32, material: Material| {
+        let profile = [
+            (0.0, 0.0),
+            (radius, 0.0),
+            (radius, height - 0.3),
+            (radius, height - 0.2),
+            (radius, height - 0.1),
+            (radius, height - 0.6 * radius),
+            (0.6 * radius, height),
+            (0.0, height),
+        ];
+        Sculpt::lathe(&profile, 16, 35.0, material)
+    };
+    match variant % BOLLARDS {
+        1 => {
+            let mut s = stick(0.057, 0.95, paint::STEEL);
+            s.paint(&band(0.75, 0.85), paint::fixed(Surface::Plate, [0.55, 0.03, 0.02]));
+            s
+        }
+        2 => {
+            let mut s = stick(0.04, 0.95, paint::fixed(Surface::Plastic, [0.75, 0.15, 0.01]));
+            s.paint(&band(0.65, 0.75), white);
+            s.paint(&band(0.85, 0.93), white);
+            s.add(Sculpt::post(Vec3::ZERO, 0.04, 0.11, 0.10, 14, paint::DARK));
+            s
+        }
+        3 => {
+            let profile = [(0.0, 0.0), (0.16, 0.0), (0.14, 0.55), (0.15, 0.62), (0.13, 0.72), (0.06, 0.78), (0.0, 0.79)];
+            Sculpt::lathe(&profile, 16, 35.0, paint::CONCRETE)
+        }
+        4 => {
+            let mut s = stick(0.075, 0.92, paint::fixed(Surface::Wood, [0.16, 0.10, 0.06]));
+            s.paint(&band(0.72, 0.82), white);
+            s
+        }
+        5 => stick(0.045, 1.05, paint::DARK_STEEL),
+        _ => cast_bollard(),
+    }
+}
+
+fn cast_bollard() -> Sculpt {
     let mut s = Sculpt::lathe(
         &[
             (0.0, 0.0),

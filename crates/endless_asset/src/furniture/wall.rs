@@ -23,6 +23,37 @@ pub(crate) fn railing() -> Sculpt {
     s
 }
 
+/// How many railings at kerbs there are.
+pub(crate) const KERB_RAILS: u32 = 4;
+
+/// Two metres of railing at a kerb along x, 1 m high: bars in a frame of galvanised or green steel, or two tubes in
+/// yellow or in white with red posts.
+pub(crate) fn kerb_rail(variant: u32) -> Sculpt {
+    let steel = |surface, color| Material::new(surface, color, ClassTag::Fences);
+    let (posts, bars, barred) = match variant % KERB_RAILS {
+        0 => (steel(Surface::Metal, [0.36, 0.37, 0.38]), steel(Surface::Metal, [0.36, 0.37, 0.38]), true),
+        1 => (steel(Surface::Painted, [0.02, 0.07, 0.04]), steel(Surface::Painted, [0.02, 0.07, 0.04]), true),
+        2 => (steel(Surface::Painted, [0.66, 0.36, 0.01]), steel(Surface::Painted, [0.66, 0.36, 0.01]), false),
+        _ => (steel(Surface::Painted, [0.45, 0.03, 0.02]), steel(Surface::Painted, [0.68, 0.68, 0.66]), false),
+    };
+    let rod = |a: Vec3, b: Vec3, r: f32, material: Material| Sculpt::tube(&[(a, r), (b, r)], 8, material);
+    let mut s = Sculpt::new();
+    for x in [-0.96, 0.96] {
+        s.add(Sculpt::post(Vec3::new(x, 0.0, 0.0), 1.02, 0.028, 0.028, 10, posts));
+    }
+    let heights: &[f32] = if barred { &[0.12, 0.97] } else { &[0.52, 0.97] };
+    for &z in heights {
+        s.add(rod(Vec3::new(-1.0, 0.0, z), Vec3::new(1.0, 0.0, z), 0.021, bars));
+    }
+    if barred {
+        for i in 0..17 {
+            let x = -0.88 + 0.11 * i as f32;
+            s.add(rod(Vec3::new(x, 0.0, 0.12), Vec3::new(x, 0.0, 0.97), 0.007, bars));
+        }
+    }
+    s
+}
+
 /// Two metres of boards along x, 1.6 m high.
 pub(crate) fn fence_panel() -> Sculpt {
     let mut stream = Stream::named(0, "fence boards", &[]);

@@ -111,8 +111,8 @@ fn sidewalk(id: u32, strip: &SidewalkStrip) -> Vec<SidewalkFeature> {
 fn signals(town: &Town) -> Vec<SignalFeature> {
     let mut signals = Vec::new();
     for placement in &town.placements {
-        let (PlacedObject::Prop(prop, _), Some(group)) = (placement.object, placement.signal) else { continue };
-        for head in Catalogue::signal_heads(prop) {
+        let (PlacedObject::Prop(prop, variant), Some(group)) = (placement.object, placement.signal) else { continue };
+        for head in Catalogue::signal_heads(prop, variant) {
             let attributes = signal_attributes(town, prop, group, signals.len() as u32);
             let lenses = lenses(&head, &placement.world_from_object);
             signals.push(SignalFeature { attributes, body: body([head.low, head.high], placement), lenses });

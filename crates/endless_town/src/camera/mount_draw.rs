@@ -26,7 +26,7 @@ const SQUARES: f64 = 0.35;
 const TILT_DEG: [f64; 2] = [5.0, 60.0];
 const FOV_DEG: [f64; 2] = [15.0, 110.0];
 /// Width of what a picture shows where the camera is aimed, metres.
-const SHOWN_M: [f64; 2] = [12.0, 56.0];
+const SHOWN_M: [f64; 2] = [9.0, 54.0];
 /// Cameras are put up askew by so much (standard deviation), at most, degrees.
 const ROLL_DEG: f64 = 0.8;
 const MOST_ROLL_DEG: f64 = 2.5;

@@ -20,6 +20,9 @@ pub(crate) struct TownAssembly<'a> {
 /// Height of the sidewalk above the road, metres.
 const KERB_HEIGHT_M: f64 = 0.15;
 
+/// The trade that chooses the models of which a town has many; all traffic lights are of one look.
+const MUNICIPAL: u64 = 33_000_000;
+
 /// Where a prop goes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PropPose {
@@ -69,7 +72,11 @@ impl<'a> TownAssembly<'a> {
 
     /// Puts a prop down where the caller knows that there is room.
     pub(crate) fn place(&mut self, prop: Prop, spot: PropPose, signal: Option<SignalId>) {
-        let mut stream = self.stream.fork(self.placements.len() as u64);
+        let mut stream = match prop {
+            prop if prop.is_signal() => self.stream.fork(MUNICIPAL),
+            prop if prop.is_municipal() => self.stream.fork(MUNICIPAL + 1 + prop as u64),
+            _ => self.stream.fork(self.placements.len() as u64),
+        };
         let variant = stream.below(self.catalogue.prop_variants(prop).max(1) as usize) as u32;
         self.place_variant((prop, variant), spot, signal);
     }

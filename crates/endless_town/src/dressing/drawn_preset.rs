@@ -1,6 +1,7 @@
 //! What a town is like that is dressed anew: its lamps, trees, wires, what is built, and the colours of its grounds.
 
 use super::preset::{StreetLife, TownPreset};
+use endless_asset::Prop;
 use endless_scene::{Mesh, Surface};
 use endless_world::Stream;
 use std::sync::Arc;
@@ -16,6 +17,12 @@ const WITH_PALMS: f64 = 0.25;
 /// Share of towns with painted lanes for buses, and their colours: red, green, ochre, blue.
 const BUS_LANES: f64 = 0.25;
 const BUS_LANE_COLORS: [[f32; 3]; 4] = [[0.28, 0.07, 0.05], [0.07, 0.17, 0.10], [0.34, 0.22, 0.07], [0.05, 0.12, 0.28]];
+
+/// Share of towns whose crossings have signals of their own, and of those with a second light at each approach.
+const WALK_SIGNALS: f64 = 0.75;
+const REPEATERS: f64 = 0.4;
+/// Towns with nothing at the kerbs of corners, with rails, with bollards.
+const KERB_GUARDS: [f64; 3] = [0.45, 0.3, 0.25];
 
 /// A preset that was drawn, and the colours that go with it.
 pub(crate) struct DrawnPreset {
@@ -49,6 +56,9 @@ impl DrawnPreset {
             laundry: share(0.4, 0.4),
         };
         preset.old_paint = share(0.6, 0.5);
+        preset.walk_signals = random.chance(WALK_SIGNALS);
+        preset.signal_repeaters = random.chance(REPEATERS);
+        preset.kerb_guard = [None, Some(Prop::KerbRail), Some(Prop::Bollard)][random.weighted(&KERB_GUARDS)];
         preset.bus_lanes = random.chance(BUS_LANES).then(|| *random.pick(&BUS_LANE_COLORS));
         for zone in &mut preset.zones {
             let (low, high) = zone.storeys;

@@ -22,7 +22,7 @@ use crate::dressing::planting::trees::TreePlanter;
 use crate::dressing::preset::TownPreset;
 use crate::dressing::road_furniture::parking::KerbBay;
 use crate::dressing::road_furniture::post::RoadsidePosts;
-use crate::dressing::road_furniture::{furniture, iron, parking, street_life};
+use crate::dressing::road_furniture::{furniture, iron, kerb_guard, parking, street_life, walk_signal};
 use crate::geometry::{OccupiedSpace, Rect, around};
 use crate::placement::{PlacedObject, Placement};
 use crate::town::{Town, TownError};
@@ -228,6 +228,9 @@ impl<'m> TownShell<'m> {
         let planter =
             TreePlanter { map, pavement: &pavement, land: &land, areas: &areas, density: &density, preset, seed };
         posts.signals(&mut assembly);
+        if preset.walk_signals {
+            walk_signal::add(&mut assembly, &posts);
+        }
         posts.signs(&mut assembly);
         posts.lamps(&mut assembly);
         posts.street_furniture(&mut assembly);
@@ -298,6 +301,9 @@ impl<'m> TownShell<'m> {
         gardener.fence(yards, assembly);
         let mut wires = MeshBuilder::new();
         furniture::add(assembly, &mut wires, &posts, &cameras);
+        if let Some(guard) = preset.kerb_guard {
+            kerb_guard::add(assembly, &posts, guard);
+        }
         street_life::add(assembly, &posts, yards, &cameras, preset.life);
         iron::add(assembly, map, pavement);
         planter.land(assembly, &cameras, *low, *high);

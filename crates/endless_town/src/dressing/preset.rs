@@ -2,6 +2,7 @@
 
 use crate::building::BuildingKind;
 use crate::palette::ASPHALT;
+use endless_asset::Prop;
 use endless_scene::Material;
 use glam::DVec2;
 
@@ -51,6 +52,11 @@ pub(crate) struct TownPreset {
     pub(crate) yards: bool,
     /// What is in the streets that no plan has.
     pub(crate) life: StreetLife,
+    /// Crossings with signals show them, and a second light stands on the other side of approaches.
+    pub(crate) walk_signals: bool,
+    pub(crate) signal_repeaters: bool,
+    /// What stands at the kerbs of corners: rails or bollards.
+    pub(crate) kerb_guard: Option<Prop>,
     /// Share of lines that have left traces elsewhere.
     pub(crate) old_paint: f64,
     /// Colour of lanes for buses, if there are any.
@@ -75,6 +81,9 @@ impl Default for TownPreset {
             maize: false,
             yards: false,
             life: StreetLife::default(),
+            walk_signals: false,
+            signal_repeaters: false,
+            kerb_guard: None,
             old_paint: 0.0,
             bus_lanes: None,
             grows: true,

@@ -2,9 +2,11 @@
 
 pub(crate) mod furniture;
 pub(crate) mod iron;
+pub(crate) mod kerb_guard;
 pub(crate) mod parking;
 mod parking_bay;
 pub(crate) mod post;
 pub(crate) mod street_life;
 mod swept_ground;
+pub(crate) mod walk_signal;
 pub(crate) mod wire;

@@ -167,11 +167,13 @@ impl RoadsidePosts<'_> {
         let yaw = lane.centerline.at(length).heading_rad + PI;
         let wide = !self.map.left_hand && (lane.left.is_some() || lane.right.is_some());
         let prop = if wide { Prop::SignalMast } else { Prop::SignalPole };
-        for back in [0.2, 1.2, 2.4, 4.0] {
-            for beyond in [POST_M, 1.2] {
-                let Some(verge) = self.verge(lane, length - back, self.side(), beyond) else { continue };
-                if self.put(assembly, prop, verge.at, verge.z, yaw, Some(signal)) {
-                    return;
+        let repeater = self.preset.signal_repeaters.then_some((Prop::SignalPole, -self.side()));
+        for (prop, side) in [Some((prop, self.side())), repeater].into_iter().flatten() {
+            let places = [0.2, 1.2, 2.4, 4.0].into_iter().flat_map(|back| [(back, POST_M), (back, 1.2)]);
+            for (back, beyond) in places {
+                let verge = self.verge(lane, length - back, side, beyond);
+                if verge.is_some_and(|v| self.put(assembly, prop, v.at, v.z, yaw, Some(signal))) {
+                    break;
                 }
             }
         }
