@@ -15,7 +15,7 @@ use endless_carla::server::QualityLevel;
 use endless_export::{Format, SplitBy, SplitShares};
 use endless_interchange::TrajectoryFormat;
 use endless_pipeline::Shard;
-use endless_world::{DrivingSide, Region, SignalControl, TimeOfDay, Weather};
+use endless_world::{Clothing, DrivingSide, Region, SignalControl, TimeOfDay, Weather};
 use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
@@ -275,6 +275,9 @@ pub(crate) struct SimulateArgs {
     /// Share of trucks and buses among moving vehicles that are no two-wheelers, instead of the region's.
     #[arg(long, value_name = "0..1", value_parser = share)]
     pub(crate) heavy_vehicles: Option<f64>,
+    /// What people on foot are dressed for, where it does not rain.
+    #[arg(long, value_name = "WORD", default_value = "region", value_parser = words(Clothing::ALL, Clothing::name))]
+    pub(crate) clothing: Clothing,
     /// How drivers drive: 0 all cautious, 0.5 as counted on real streets, 1 all bold.
     #[arg(long, value_name = "0..1", default_value_t = 0.5, value_parser = share)]
     pub(crate) aggressiveness: f64,

@@ -51,6 +51,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
             region: args.region,
             two_wheelers: args.two_wheelers,
             heavy_vehicles: args.heavy_vehicles,
+            clothing: args.clothing,
             aggressiveness: args.aggressiveness,
             signals: args.signals,
             ..TrafficProfile::default()

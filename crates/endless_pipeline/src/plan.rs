@@ -20,7 +20,8 @@ use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::{DatasetError, DatasetLayout, Manifest, Recipe, read_json};
 use endless_world::math::f64::{exp, ln};
 use endless_world::{
-    CameraSite, IncidentKind, PerVideo, RegionChoice, SceneRandomisation, SceneSettings, Stream, TrackPlayback, TrafficProfile,
+    CameraSite, Clothing, IncidentKind, PerVideo, Region, RegionChoice, SceneRandomisation, SceneSettings, Stream,
+    TrackPlayback, TrafficProfile,
 };
 use partition::Costs;
 use scene_camera::{recorder_clock, scene_camera};
@@ -192,6 +193,16 @@ fn heavy_vehicles(recipe: &Recipe, video: u32) -> Option<f64> {
     recipe.heavy_vehicles.or_else(|| drawn.then(|| exp(random.range_f64(least, most))))
 }
 
+/// Clothes for what is asked for; where the region is drawn, some videos are of the cold season that it has.
+fn clothing(recipe: &Recipe, video: u32) -> Clothing {
+    const COLD: f64 = 0.4;
+    let region = recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)]));
+    let drawn = recipe.region == RegionChoice::Drawn && recipe.clothing == Clothing::Region;
+    let has_winter = matches!(region, Region::European | Region::NorthAmerican);
+    let cold = drawn && has_winter && Stream::named(recipe.seed, "clothing", &[u64::from(video)]).chance(COLD);
+    if cold { Clothing::Cold } else { recipe.clothing }
+}
+
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites, rig } = combination;
@@ -221,6 +232,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
             region: recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)])),
             two_wheelers: recipe.two_wheelers,
             heavy_vehicles: heavy_vehicles(recipe, video),
+            clothing: clothing(recipe, video),
             aggressiveness: recipe.aggressiveness,
             parked: recipe.parked,
             signals: recipe.signals,

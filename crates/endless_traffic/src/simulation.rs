@@ -34,20 +34,11 @@ use crate::{bus_riders, bus_service, destination_exchange};
 use crate::{kerb_halting, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
-    Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, Region, SignalControl, SignalState,
-    TooManyInstances, VehicleMotion, VehicleSpec,
+    Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalControl, SignalState, TooManyInstances,
+    VehicleMotion, VehicleSpec,
 };
 use glam::Vec3;
 use std::sync::Arc;
-
-/// What people on foot are dressed for: rain where it rains, else the climate of the region.
-fn outfit(rain: f32, region: Region) -> Outfit {
-    match region {
-        _ if rain > 0.0 => Outfit::Rain,
-        Region::European | Region::NorthAmerican => Outfit::Fair,
-        Region::LatinAmerican | Region::SouthEastAsian => Outfit::Hot,
-    }
-}
 
 /// Longest step, seconds.
 const STEP_S: f64 = 1.0 / 30.0;
@@ -164,7 +155,9 @@ impl Simulation {
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
         let people = walkers.iter().map(|walker| (fleet.pedestrian)(walker.variant));
         let gathering = Gathering::new(&roads, &standing, people, settings.seed);
-        let outfit = outfit(settings.condition.rain, settings.profile.region);
+        let profile = &settings.profile;
+        let rains = settings.condition.rain > 0.0;
+        let outfit = if rains { Outfit::Rain } else { profile.clothing.outfit(profile.region) };
         let mut population = Population {
             vehicles_asked: settings.vehicles,
             vehicles_spawned: vehicles.len() as u32,

@@ -125,6 +125,12 @@ pub struct CameraLook {
     /// Stops by which the picture is too bright, or too dark.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub exposure_stops: f32,
+    /// Slope of the tone curve, as a multiple of the usual one: recorders are set to show more contrast than there is.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub contrast: f32,
+    /// Factor of the colours' distance from grey.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub saturation: f32,
     /// How long the shutter is open, seconds: what moves is blurred by it. Labels are of the middle of that time. 0: an
     /// instant.
     #[serde(default)]
@@ -146,6 +152,10 @@ pub struct CameraLook {
 
 /// Key of the stream of faults: what is drawn of them changes nothing else.
 const FAULTS: u64 = 1;
+/// Key of the stream of how a recorder is set, and the ranges of that.
+const PICTURE: u64 = 2;
+const CONTRAST: [f32; 2] = [1.0, 1.8];
+const SATURATION: [f32; 2] = [0.8, 1.8];
 /// Shares of cameras with dirt on their glass, badly focused, and badly exposed.
 const DIRTY: f64 = 0.2;
 const OUT_OF_FOCUS: f64 = 0.15;
@@ -180,6 +190,15 @@ fn is_zero_count(count: &u32) -> bool {
     *count == 0
 }
 
+const fn one() -> f32 {
+    1.0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_one(factor: &f32) -> bool {
+    *factor == one()
+}
+
 const fn neutral() -> [f32; 3] {
     [1.0; 3]
 }
@@ -198,6 +217,8 @@ impl CameraLook {
         smudges: 0,
         defocus: 0.0,
         exposure_stops: 0.0,
+        contrast: 1.0,
+        saturation: 1.0,
         shutter_s: 0.0,
         noise: 0.0,
         white_balance: neutral(),
@@ -226,6 +247,8 @@ impl CameraLook {
                 smudges: 0,
                 defocus: 0.0,
                 exposure_stops: 0.0,
+                contrast: 1.3,
+                saturation: 1.3,
                 shutter_s: 1.5 * shutter_s,
                 noise: 1.4 * dark,
                 white_balance: neutral(),
@@ -235,6 +258,8 @@ impl CameraLook {
             },
             CameraLookChoice::Random => {
                 let faults = CameraFaults::draw(&mut random.fork(FAULTS));
+                let mut picture = random.fork(PICTURE);
+                let [contrast, saturation] = [CONTRAST, SATURATION].map(|[low, high]| picture.range_f32(low, high));
                 let mut share = |chance: f32| random.f32() < chance;
                 let (bent, recorded, stamped) = (share(0.7), share(0.75), share(0.6));
                 let mut within = |low: f32, high: f32| random.range_f32(low, high);
@@ -246,6 +271,8 @@ impl CameraLook {
                     smudges: faults.smudges,
                     defocus: faults.defocus,
                     exposure_stops: faults.exposure_stops,
+                    contrast,
+                    saturation,
                     shutter_s: within(0.5, 2.0) * shutter_s,
                     noise: within(0.3, 3.0) * dark,
                     white_balance: neutral(),

@@ -105,7 +105,7 @@ pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame, SensorLayers};
 pub use state::{SignalAspect, SignalState, WorldState};
 pub use track::{Track, TrackPlayback, TrackPoint, TrackSample};
 pub use traffic_density::{ActorDensity, TrafficDensity};
-pub use traffic_profile::{Region, RegionChoice, SignalControl, TrafficProfile};
+pub use traffic_profile::{Clothing, Region, RegionChoice, SignalControl, TrafficProfile};
 pub use unknown_name::UnknownName;
 pub use vehicle_choice::choose_vehicle;
 pub use vehicle_spec::{ParkedVehicle, TrailerSpec, VehicleSpec};

@@ -1,6 +1,6 @@
 //! What is driven on the streets of a scene, and how.
 
-use crate::{Stream, UnknownName};
+use crate::{Outfit, Stream, UnknownName};
 use serde::{Deserialize, Serialize};
 use strum::VariantArray as _;
 
@@ -111,6 +111,51 @@ impl SignalControl {
     }
 }
 
+/// What people on foot are dressed for, where it does not rain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum Clothing {
+    /// The usual weather of the region.
+    #[default]
+    Region,
+    /// Fair weather.
+    Fair,
+    /// Heat.
+    Hot,
+    /// Cold.
+    Cold,
+}
+
+impl Clothing {
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// As options have it.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// Whether it is what holds where nothing is asked for.
+    pub fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// What is worn in a region.
+    pub fn outfit(self, region: Region) -> Outfit {
+        match (self, region) {
+            (Self::Fair, _) | (Self::Region, Region::European | Region::NorthAmerican) => Outfit::Fair,
+            (Self::Hot, _) | (Self::Region, Region::LatinAmerican | Region::SouthEastAsian) => Outfit::Hot,
+            (Self::Cold, _) => Outfit::Cold,
+        }
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("clothing", given, Self::ALL)
+    }
+}
+
 /// What is driven on the streets of a scene, and how.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -123,6 +168,9 @@ pub struct TrafficProfile {
     /// Share of trucks and buses among moving vehicles that are no two-wheelers, 0 to 1; the region's if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heavy_vehicles: Option<f64>,
+    /// What people on foot are dressed for.
+    #[serde(skip_serializing_if = "Clothing::is_usual")]
+    pub clothing: Clothing,
     /// How drivers drive: 0.5 as published distributions have it, 0 all cautious, 1 all bold.
     pub aggressiveness: f64,
     /// Share of the map's parked vehicles that are there, 0 to 1.
@@ -138,6 +186,7 @@ impl Default for TrafficProfile {
             region: Region::default(),
             two_wheelers: None,
             heavy_vehicles: None,
+            clothing: Clothing::default(),
             aggressiveness: 0.5,
             parked: 1.0,
             signals: SignalControl::default(),

@@ -9,7 +9,7 @@ use super::{preset::Preset, rig::SensorSpec, serde_size, user_camera::UserCamera
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
 use endless_world::{
-    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, IncidentKind, PerVideo, RandomisedPart,
+    ActorDensity, CameraLookChoice, CameraSite, Changing, Clothing, ImageSize, IncidentKind, PerVideo, RandomisedPart,
     RegionChoice, SignalControl, TimeOfDay, TrafficDensity, ViewSubject, Weather,
 };
 use serde::{Deserialize, Serialize};
@@ -121,6 +121,10 @@ recipe_options! {
     /// Share of trucks and buses among moving vehicles that are no two-wheelers; where the region is drawn, another in each video.
     heavy_vehicles: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
         OptionKind::Number { least: 0.0, most: 1.0 }, Described("the region's");
+    /// What people on foot are dressed for, where it does not rain: fair, hot, cold; region, its usual weather, and where the
+    /// region is drawn, in some videos of Europe and North America the cold.
+    clothing: String => #[serde(default, skip_serializing_if = "Clothing::is_usual")] Clothing,
+        OptionKind::Word(Vocabulary::of::<Clothing>()), Value("region");
     /// How drivers drive: 0 all cautious, 0.5 as counted on real streets, 1 all bold: faster, nearer to one another.
     aggressiveness: f64 => #[serde(default = "half", skip_serializing_if = "is_half")] f64,
         OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.5");

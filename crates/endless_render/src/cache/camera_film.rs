@@ -139,7 +139,8 @@ impl FilmResponse {
         let white_balance = environment.white_balance() * off;
         Self {
             exposure,
-            tone: ToneCurve::new(exposure.factor, white_balance, exposure.black),
+            tone: ToneCurve::new(exposure.factor, white_balance, exposure.black)
+                .set_to(settings.look.contrast, settings.look.saturation),
             rain: rain(environment, exposure.factor, settings.seed),
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
             glare: environment.glare,

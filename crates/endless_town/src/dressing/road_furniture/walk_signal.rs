@@ -19,9 +19,9 @@ pub(crate) fn add(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>) {
         for (end, other) in [(a, b), (b, a)] {
             let across = (other - end).normalize_or(DVec2::X);
             let aside = crossing.width_m / 2.0 + ASIDE_M;
-            let places = BEHIND_M.iter().flat_map(|&behind| {
-                [1.0, -1.0].map(|side| end - across * behind + across.perp() * (side * aside))
-            });
+            let places = BEHIND_M
+                .iter()
+                .flat_map(|&behind| [1.0, -1.0].map(|side| end - across * behind + across.perp() * (side * aside)));
             for at in places {
                 let level = crossing.ends[0].z;
                 let height = posts.pavement.height(at, level + 1.0).filter(|z| (z - level).abs() < 1.0);
