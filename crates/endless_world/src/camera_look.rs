@@ -11,7 +11,8 @@ use strum::VariantArray as _;
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
 pub enum CameraLookChoice {
-    /// A good camera: a little noise, and what moves is blurred by as long as the shutter is open.
+    /// A good camera: a little noise, a little more contrast and colour than there is, and what moves is blurred by as long as
+    /// the shutter is open.
     Natural,
     /// No effects, at one instant.
     Clean,
@@ -238,7 +239,9 @@ impl CameraLook {
         };
         match choice {
             CameraLookChoice::Clean => Self::CLEAN,
-            CameraLookChoice::Natural => Self { shutter_s, noise: 0.6 * dark, ..Self::CLEAN },
+            CameraLookChoice::Natural => {
+                Self { contrast: 1.2, saturation: 1.15, shutter_s, noise: 0.6 * dark, ..Self::CLEAN }
+            }
             CameraLookChoice::Cctv => Self {
                 distortion: Distortion::barrel(-0.12),
                 vignetting: 0.3,

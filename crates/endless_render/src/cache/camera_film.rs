@@ -173,6 +173,6 @@ fn rain(environment: &Environment, exposure: f32, seed: u64) -> Option<Rain> {
         let radiance =
             if environment.night { Vec3A::new(1.0, 0.9, 0.78) * (0.16 / exposure) } else { environment.sky.mean * 1.1 };
         let slant = (noise::cell1(seed as u32, 5) - 0.5) * 0.3;
-        Rain { drops: (2200.0 * environment.rain) as u32, radiance, slant, seed }
+        Rain { drops: (3600.0 * environment.rain) as u32, radiance, slant, seed }
     })
 }

@@ -18,8 +18,12 @@ pub(crate) struct Rain {
     pub(crate) seed: u64,
 }
 
-/// Drops fall at about 8 m/s; the shutter is open for a thirtieth of a second under dark clouds.
-const STREAK_M: f32 = 0.27;
+/// Large drops fall at 9 m/s, small ones at 3 (Gunn and Kinzer 1949); the shutter is open for a thirtieth of a second under
+/// dark clouds.
+const STREAK_M: [f32; 2] = [0.09, 0.30];
+/// What a large near drop covers of a pixel on its way, from light rain to a downpour. A drop alone is before a pixel for a
+/// hundredth of that time; what is seen as a streak are the few that catch the light, and those that follow each other.
+const OPACITY: [f32; 2] = [0.08, 0.34];
 const NEAREST_M: f32 = 1.2;
 const FARTHEST_M: f32 = 22.0;
 /// Spray is not seen from farther.
@@ -63,17 +67,20 @@ impl Rain {
         let (width, height) = (camera.size.width as f32, camera.size.height as f32);
         let k = &camera.intrinsics;
         let perspective = matches!(camera.lens, Lens::Perspective(_));
+        let heavy = Stream::named(self.seed, "weight of rain", &[]).range_f32(OPACITY[0], OPACITY[1]);
         for _ in 0..self.drops {
             // Uniform in the volume of the view cone: z³ uniform.
             let cube = random.range_f32(NEAREST_M.powi(3), FARTHEST_M.powi(3));
             let z = endless_world::math::pow(cube, 1.0 / 3.0);
             let at = Vec2::new(random.f32() * width, random.f32() * height * 1.1);
-            let fall_m = STREAK_M * random.range_f32(0.7, 1.3);
+            // Small drops are many.
+            let size = random.f32() * random.f32();
+            let fall_m = STREAK_M[0] + (STREAK_M[1] - STREAK_M[0]) * size;
             let length = (fall_m * k.fy / z).clamp(2.0, height * 0.12);
             let lean = self.slant * 1.5 + 0.07f32.copysign(self.slant) + random.range_f32(-0.03, 0.03);
             let away = if camera.lens.is_central() { z } else { 1.0 };
-            let thickness = (0.0024 * k.fx / away).clamp(0.3, 2.0);
-            let opacity = (0.55 * thickness.min(1.0)) * random.range_f32(0.5, 1.0);
+            let thickness = ((0.0012 + 0.0022 * size) * k.fx / away).clamp(0.3, 2.0);
+            let opacity = heavy * thickness.min(1.0) * random.range_f32(0.4, 1.0);
             let along = if perspective {
                 Vec2::new(lean, -1.0).normalize() * length
             } else {
