@@ -20,8 +20,8 @@ use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::{DatasetError, DatasetLayout, Manifest, Recipe, read_json};
 use endless_world::math::f64::{exp, ln};
 use endless_world::{
-    CameraSite, Clothing, IncidentKind, PerVideo, Region, RegionChoice, SceneRandomisation, SceneSettings, Stream,
-    TrackPlayback, TrafficProfile,
+    CameraSite, Clothing, IncidentKind, Outfit, PerVideo, Region, RegionChoice, SceneRandomisation, SceneSettings,
+    Stream, TrackPlayback, TrafficProfile,
 };
 use partition::Costs;
 use scene_camera::{recorder_clock, scene_camera};
@@ -194,11 +194,10 @@ fn heavy_vehicles(recipe: &Recipe, video: u32) -> Option<f64> {
 }
 
 /// Clothes for what is asked for; where the region is drawn, some videos are of the cold season that it has.
-fn clothing(recipe: &Recipe, video: u32) -> Clothing {
+fn clothing(recipe: &Recipe, video: u32, region: Region) -> Clothing {
     const COLD: f64 = 0.4;
-    let region = recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)]));
     let drawn = recipe.region == RegionChoice::Drawn && recipe.clothing == Clothing::Region;
-    let has_winter = matches!(region, Region::European | Region::NorthAmerican);
+    let has_winter = recipe.clothing.outfit(region) == Outfit::Fair;
     let cold = drawn && has_winter && Stream::named(recipe.seed, "clothing", &[u64::from(video)]).chance(COLD);
     if cold { Clothing::Cold } else { recipe.clothing }
 }
@@ -208,6 +207,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
     let Combination { map, weather, time_of_day, sites, rig } = combination;
     let clock = recorder_clock(recipe, video, time_of_day);
     let seed = Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64();
+    let region = recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)]));
     let strength = recipe.randomise_strength as f32;
     let randomised = SceneRandomisation::new(&recipe.randomise, strength, time_of_day, seed);
     let camera = |numbered| scene_camera(recipe, (video, time_of_day), randomised.as_ref(), numbered);
@@ -229,10 +229,10 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         density: recipe.density,
         focus: recipe.focus,
         profile: TrafficProfile {
-            region: recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)])),
+            region,
             two_wheelers: recipe.two_wheelers,
             heavy_vehicles: heavy_vehicles(recipe, video),
-            clothing: clothing(recipe, video),
+            clothing: clothing(recipe, video, region),
             aggressiveness: recipe.aggressiveness,
             parked: recipe.parked,
             signals: recipe.signals,

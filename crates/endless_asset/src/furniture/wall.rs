@@ -1,5 +1,6 @@
 //! Railings and fences.
 
+use super::part::rod;
 use crate::shape::Sculpt;
 use endless_scene::{Material, Surface};
 use endless_world::{ClassTag, Stream};
@@ -36,7 +37,6 @@ pub(crate) fn kerb_rail(variant: u32) -> Sculpt {
         2 => (steel(Surface::Painted, [0.66, 0.36, 0.01]), steel(Surface::Painted, [0.66, 0.36, 0.01]), false),
         _ => (steel(Surface::Painted, [0.45, 0.03, 0.02]), steel(Surface::Painted, [0.68, 0.68, 0.66]), false),
     };
-    let rod = |a: Vec3, b: Vec3, r: f32, material: Material| Sculpt::tube(&[(a, r), (b, r)], 8, material);
     let mut s = Sculpt::new();
     for x in [-0.96, 0.96] {
         s.add(Sculpt::post(Vec3::new(x, 0.0, 0.0), 1.02, 0.028, 0.028, 10, posts));

@@ -25,10 +25,11 @@ static TABLE: LazyLock<Arc<[u8]>> = LazyLock::new(|| table(1.0));
 
 /// The curve of so many times the usual contrast.
 fn table(contrast: f32) -> Arc<[u8]> {
+    let curve = filmic(CONTRAST * contrast);
     let entry = |i: usize| {
         let t = i as f32 / (ENTRIES - 1) as f32;
         let x = if t < 1.0 { (t / (1.0 - t)).min(WHITE) } else { WHITE };
-        (srgb(filmic(x, CONTRAST * contrast).clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
+        (srgb(curve(x).clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
     };
     (0..ENTRIES).map(entry).collect()
 }
@@ -43,13 +44,13 @@ const WHITE: f32 = 7.0;
 const GREY: f32 = 0.18;
 
 /// x^a / (b x^(a d) + c), through (grey, grey) and (white, 1).
-fn filmic(x: f32, contrast: f32) -> f32 {
+fn filmic(contrast: f32) -> impl Fn(f32) -> f32 {
     let (grey, white) = (math::pow(GREY, contrast), math::pow(WHITE, contrast));
     let (grey_bent, white_bent) = (math::pow(GREY, contrast * SHOULDER), math::pow(WHITE, contrast * SHOULDER));
     let scale = (white_bent - grey_bent) * GREY;
     let b = (white * GREY - grey) / scale;
     let c = (white_bent * grey - white * grey_bent * GREY) / scale;
-    math::pow(x, contrast) / (math::pow(x, contrast * SHOULDER) * b + c)
+    move |x| math::pow(x, contrast) / (math::pow(x, contrast * SHOULDER) * b + c)
 }
 
 pub(crate) fn srgb(linear: f32) -> f32 {

@@ -52,10 +52,7 @@ pub(crate) fn add(
     let weights: Vec<f64> = PIECES.iter().map(|p| p.2).collect();
     let crossings: Vec<DVec2> = posts.map.network.crossings.iter().flat_map(|c| c.ends).map(DVec3::truncate).collect();
     let mut placed = 0;
-    for (i, lane) in posts.map.network.lanes.iter().enumerate() {
-        if lane.junction.is_some() || !posts.is_outermost(lane) {
-            continue;
-        }
+    for (i, lane) in posts.kerb_lanes() {
         let mut stream = assembly.stream(30_000 + i as u64);
         let length = lane.centerline.length();
         let mut s = stream.range_f64(3.0, 14.0);

@@ -25,10 +25,7 @@ pub(crate) fn add(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, gu
     let rail = guard == Prop::KerbRail;
     let (step, half) = if rail { (RAIL_M, DVec2::new(0.97, 0.06)) } else { (BOLLARD_M, DVec2::splat(0.12)) };
     let mut placed = 0;
-    for (i, lane) in posts.map.network.lanes.iter().enumerate() {
-        if lane.junction.is_some() || !posts.is_outermost(lane) {
-            continue;
-        }
+    for (i, lane) in posts.kerb_lanes() {
         let mut stream = assembly.stream(34_000_000 + i as u64);
         let length = lane.centerline.length();
         for at_start in [true, false] {

@@ -87,6 +87,11 @@ impl RoadsidePosts<'_> {
         if self.map.left_hand { lane.left.is_none() } else { lane.right.is_none() }
     }
 
+    /// The outermost lanes of streets, junctions apart, with their places among all.
+    pub(crate) fn kerb_lanes(&self) -> impl Iterator<Item = (usize, &Lane)> {
+        self.map.network.lanes.iter().enumerate().filter(|(_, lane)| lane.junction.is_none() && self.is_outermost(lane))
+    }
+
     /// The place `beyond` metres outside the carriageway at `s` of a lane, on its `side`.
     pub(crate) fn verge(&self, lane: &Lane, s: f64, side: f64, beyond: f64) -> Option<RoadsideSpot> {
         let place = lane.centerline.at(s);

@@ -90,10 +90,7 @@ fn add_groups(
     let crossings: Vec<DVec2> = posts.map.network.crossings.iter().flat_map(|c| c.ends).map(DVec3::truncate).collect();
     let weights: Vec<f64> = pieces.iter().map(|piece| piece.2).collect();
     let mut placed = 0;
-    for (i, lane) in posts.map.network.lanes.iter().enumerate() {
-        if lane.junction.is_some() || !posts.is_outermost(lane) {
-            continue;
-        }
+    for (i, lane) in posts.kerb_lanes() {
         let mut stream = assembly.stream(trade + i as u64);
         let mut s = stream.range_f64(2.0, STEP_M);
         while s < lane.centerline.length() - 4.0 && placed < MOST {
