@@ -1,7 +1,7 @@
 //! What labels need to know of traffic lights and signs: where their heads, lenses and plates are in the object frame.
 
 use super::sign::FRONT;
-use super::signal_look;
+use super::{signal, signal_look};
 use crate::Prop;
 use endless_scene::{LensAspect, Mesh};
 use glam::Vec3;
@@ -63,22 +63,21 @@ impl HeadDesign {
 
 /// The heads of a prop; none of what is no traffic light.
 pub(crate) fn signal_heads(prop: Prop, variant: u32) -> Vec<SignalHead> {
-    let vehicle = if signal_look::of(variant).plate.is_some() { VEHICLE } else { WITHOUT_PLATE };
-    let (design, middles): (_, &[Vec3]) = match prop {
-        Prop::SignalPole => (vehicle, &[Vec3::new(0.28, 0.0, 3.2)]),
-        Prop::SignalMast => {
-            (vehicle, &[Vec3::new(0.33, 0.0, 3.2), Vec3::new(0.24, -2.6, 5.80), Vec3::new(0.24, -5.2, 5.80)])
-        }
+    let look = signal_look::of(variant);
+    let vehicle = if look.plate.is_some() { VEHICLE } else { WITHOUT_PLATE };
+    let (design, middles): (_, Vec<Vec3>) = match prop {
+        Prop::SignalPole => (vehicle, signal::heads_on_pole(look)),
+        Prop::SignalMast => (vehicle, signal::heads_on_mast(look).concat()),
         // Under the lower wire, which sags by 0.85 m.
         Prop::SpanSignal => {
             const Z: f32 = 7.4 - 0.85 * (1.0 - 1.9 * 1.9 / 49.0) - 0.72;
-            (vehicle, &[Vec3::new(0.10, -1.9, Z), Vec3::new(0.10, 1.9, Z)])
+            (vehicle, vec![Vec3::new(0.10, -1.9, Z), Vec3::new(0.10, 1.9, Z)])
         }
-        Prop::CycleSignal => (BICYCLE, &[Vec3::new(0.16, 0.0, 2.35)]),
-        Prop::WalkSignal => (PEDESTRIAN, &[Vec3::new(0.22, 0.0, 2.4)]),
+        Prop::CycleSignal => (BICYCLE, vec![Vec3::new(0.16, 0.0, 2.35)]),
+        Prop::WalkSignal => (PEDESTRIAN, vec![Vec3::new(0.22, 0.0, 2.4)]),
         _ => return Vec::new(),
     };
-    middles.iter().map(|&middle| design.at(middle)).collect()
+    middles.into_iter().map(|middle| design.at(middle)).collect()
 }
 
 /// Height below which posts may be as thick as plates lie before them, metres.

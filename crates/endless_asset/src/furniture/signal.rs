@@ -38,6 +38,23 @@ fn lens(centre: Vec3, radius: f32, material: Material, housing: Material) -> Scu
     s.placed(Affine3A::from_rotation_translation(Quat::from_rotation_y(FRAC_PI_2), centre))
 }
 
+/// Middles of the heads on a pole.
+pub(crate) fn heads_on_pole(look: &SignalLook) -> Vec<Vec3> {
+    side_by_side(Vec3::new(0.28, 0.0, 3.2), look)
+}
+
+/// Middles of the heads on a mast, that on its pole and those on its arm.
+pub(crate) fn heads_on_mast(look: &SignalLook) -> [Vec<Vec3>; 2] {
+    let on_arm = [-2.6, -5.2].map(|y| Vec3::new(0.24, y, 5.80)).to_vec();
+    [side_by_side(Vec3::new(0.33, 0.0, 3.2), look), on_arm]
+}
+
+/// One head, or two as near to one another as they fit.
+fn side_by_side(middle: Vec3, look: &SignalLook) -> Vec<Vec3> {
+    let half = if look.plate.is_some() { 0.26 } else { 0.18 };
+    if look.paired { [-half, half].map(|y| middle + Vec3::Y * y).to_vec() } else { vec![middle] }
+}
+
 /// A three-lens head facing +x, its middle at this place, on a back-plate if it has one.
 fn head(centre: Vec3, look: &SignalLook) -> Sculpt {
     let (r, pitch) = (0.10, 0.27);
@@ -70,23 +87,31 @@ fn bracket(from: Vec3, to: Vec3, look: &SignalLook) -> Sculpt {
     Sculpt::tube(&[(from, 0.022), (to, 0.022)], 8, look.pole)
 }
 
-/// A pole with one head at 3.2 m.
+/// Heads before a pole, each on two brackets from it.
+fn on_brackets(middles: &[Vec3], look: &SignalLook) -> Sculpt {
+    let mut s = Sculpt::new();
+    for &middle in middles {
+        s.add(head(middle, look));
+        for dz in [-0.3, 0.3] {
+            let back = middle + Vec3::new(-0.15, 0.0, dz);
+            s.add(bracket(Vec3::new(0.0, 0.0, back.z), back, look));
+        }
+    }
+    s
+}
+
+/// A pole with a head at 3.2 m, or a pair.
 pub(crate) fn pole_head(look: &SignalLook) -> Sculpt {
     let mut s = pole(3.75, 0.07, 0.055, look.pole);
-    s.add(head(Vec3::new(0.28, 0.0, 3.2), look));
-    for dz in [-0.3, 0.3] {
-        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.13, 0.0, 3.2 + dz), look));
-    }
+    s.add(on_brackets(&heads_on_pole(look), look));
     s
 }
 
 /// Pole with an arm along −y.
 pub(crate) fn mast(look: &SignalLook) -> Sculpt {
     let mut s = pole(5.95, 0.13, 0.10, look.pole);
-    s.add(head(Vec3::new(0.33, 0.0, 3.2), look));
-    for dz in [-0.3, 0.3] {
-        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.17, 0.0, 3.2 + dz), look));
-    }
+    let [on_pole, on_arm] = heads_on_mast(look);
+    s.add(on_brackets(&on_pole, look));
     let arm = [
         (Vec3::new(0.0, 0.12, 5.72), 0.075),
         (Vec3::new(0.0, -0.4, 5.76), 0.072),
@@ -94,9 +119,9 @@ pub(crate) fn mast(look: &SignalLook) -> Sculpt {
         (Vec3::new(0.0, -5.5, 5.80), 0.042),
     ];
     s.add(Sculpt::tube(&arm, 12, look.pole));
-    for y in [-2.6, -5.2] {
-        s.add(head(Vec3::new(0.24, y, 5.80), look));
-        s.add(bracket(Vec3::new(0.0, y, 5.80), Vec3::new(0.10, y, 5.80), look));
+    for middle in on_arm {
+        s.add(head(middle, look));
+        s.add(bracket(middle * Vec3::new(0.0, 1.0, 1.0), middle - Vec3::X * 0.14, look));
     }
     s
 }

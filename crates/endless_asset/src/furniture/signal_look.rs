@@ -18,6 +18,8 @@ pub(crate) struct SignalLook {
     pub(crate) housing: Material,
     pub(crate) plate: Option<BackPlate>,
     pub(crate) pole: Material,
+    /// Two heads side by side where others have one: for those who go on and for those who turn.
+    pub(crate) paired: bool,
 }
 
 const fn housing(base_color: [f32; 3]) -> Material {
@@ -36,16 +38,23 @@ const fn edged(color: [f32; 3]) -> Option<BackPlate> {
 
 const YELLOW: Material = housing([0.62, 0.36, 0.01]);
 
+const fn look(housing: Material, plate: Option<BackPlate>, pole: Material) -> SignalLook {
+    SignalLook { housing, plate, pole, paired: false }
+}
+const fn paired(look: SignalLook) -> SignalLook {
+    SignalLook { paired: true, ..look }
+}
+
 /// Of the towns that come with the program, then of those that are dressed anew.
 const LOOKS: &[SignalLook] = &[
-    SignalLook { housing: paint::HOUSING, plate: BLACK_PLATE, pole: paint::POLE },
-    SignalLook { housing: paint::HOUSING, plate: None, pole: paint::POLE },
-    SignalLook { housing: YELLOW, plate: None, pole: paint::POLE },
-    SignalLook { housing: YELLOW, plate: BLACK_PLATE, pole: painted_pole([0.05, 0.05, 0.045]) },
-    SignalLook { housing: paint::HOUSING, plate: edged([0.80, 0.80, 0.78]), pole: painted_pole([0.045, 0.05, 0.05]) },
-    SignalLook { housing: housing([0.02, 0.07, 0.04]), plate: None, pole: painted_pole([0.03, 0.09, 0.06]) },
-    SignalLook { housing: paint::HOUSING, plate: edged([0.75, 0.45, 0.01]), pole: painted_pole([0.60, 0.36, 0.02]) },
-    SignalLook { housing: housing([0.27, 0.29, 0.29]), plate: None, pole: painted_pole([0.35, 0.37, 0.37]) },
+    look(paint::HOUSING, BLACK_PLATE, paint::POLE),
+    paired(look(paint::HOUSING, None, paint::POLE)),
+    look(YELLOW, None, paint::POLE),
+    look(YELLOW, BLACK_PLATE, painted_pole([0.05, 0.05, 0.045])),
+    paired(look(paint::HOUSING, edged([0.80, 0.80, 0.78]), painted_pole([0.045, 0.05, 0.05]))),
+    look(housing([0.02, 0.07, 0.04]), None, painted_pole([0.03, 0.09, 0.06])),
+    look(paint::HOUSING, edged([0.75, 0.45, 0.01]), painted_pole([0.60, 0.36, 0.02])),
+    paired(look(housing([0.27, 0.29, 0.29]), None, painted_pole([0.35, 0.37, 0.37]))),
 ];
 
 /// How many there are.

@@ -17,12 +17,15 @@ use glam::{DVec2, Vec3};
 const MOUNTS: u64 = 24;
 const PLACES: u64 = 60;
 const GOOD_TO_CHOOSE_FROM: usize = 3;
-/// What a picture must show of street, or of street and square, and may of walls near by, sky and furniture.
+/// What a picture must show of street, or of street and square, and may of walls near by and sky.
 const LEAST_STREET: f32 = 0.16;
 const LEAST_PAVED: f32 = 0.22;
 const MOST_WALL: f32 = 0.15;
 const MOST_SKY: f32 = 0.34;
+/// What things near the lens may take of a picture, and of one in this many pictures.
 const MOST_HIDDEN: f32 = 0.04;
+const MOST_OBSTRUCTED: f32 = 0.12;
+const OBSTRUCTED: f64 = 0.25;
 /// Least weight of places of people in a picture of a square or a park.
 const LEAST_PEOPLE: f32 = 4.0;
 /// Least weight of places of vehicles and people in any picture.
@@ -87,18 +90,21 @@ impl<'s> SiteDrawer<'s> {
         (0..MOUNTS).find_map(|attempt| {
             let random = random.fork(attempt);
             let intent = places.intent(&mut random.fork(PLACES))?;
+            let obstructed = random.fork(PLACES + 1).chance(OBSTRUCTED);
+            let most_hidden = if obstructed { MOST_OBSTRUCTED } else { MOST_HIDDEN };
             let good = (0..PLACES).filter_map(|attempt| {
                 let place = places.draw(intent, &mut random.fork(attempt))?;
                 is_another(&place.site, before).then_some(())?;
-                let worth = self.worth(&place)?;
+                let worth = self.worth(&place, most_hidden)?;
                 (seen.is_empty() || self.overlaps(&place.site, seen)).then_some(GoodView { place, worth })
             });
             good.take(GOOD_TO_CHOOSE_FROM).max_by(|a, b| a.worth.total_cmp(&b.worth))
         })
     }
 
-    /// How much a place shows; `None` where it stands in the way, or sees too little.
-    fn worth(&self, place: &DrawnPlace) -> Option<f32> {
+    /// How much a place shows; `None` where it stands in the way, sees too little, or things near the lens hide more than
+    /// this share.
+    fn worth(&self, place: &DrawnPlace, most_hidden: f32) -> Option<f32> {
         if let Some(foot) = place.pole {
             let room = Rect::new(foot.truncate(), DVec2::splat(0.2), 0.0);
             if !self.occupied.is_free(&room) || blocks_lane(self.scene.network, foot) {
@@ -115,7 +121,7 @@ impl<'s> SiteDrawer<'s> {
         let square = place.on_foot && seen.people > LEAST_PEOPLE;
         let open = seen.paved() > LEAST_PAVED && seen.solid_near < MOST_WALL && seen.sky < MOST_SKY;
         let busy = seen.sizes.iter().sum::<f32>() > LEAST_TRAFFIC;
-        (open && busy && (street || square) && self.props.hide(&place.site) < MOST_HIDDEN).then(|| worth(&seen))
+        (open && busy && (street || square) && self.props.hide(&place.site) < most_hidden).then(|| worth(&seen))
     }
 
     /// Whether it sees part of what one of the others sees.

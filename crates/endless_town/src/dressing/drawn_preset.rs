@@ -1,6 +1,7 @@
 //! What a town is like that is dressed anew: its lamps, trees, wires, what is built, and the colours of its grounds.
 
 use super::preset::{StreetLife, TownPreset};
+use super::road_furniture::street_sign::SignStandard;
 use endless_asset::Prop;
 use endless_scene::{Mesh, Surface};
 use endless_world::Stream;
@@ -23,6 +24,9 @@ const WALK_SIGNALS: f64 = 0.75;
 const REPEATERS: f64 = 0.4;
 /// Towns with nothing at the kerbs of corners, with rails, with bollards.
 const KERB_GUARDS: [f64; 3] = [0.45, 0.3, 0.25];
+
+/// Share of towns with signs along their streets.
+const WITH_SIGNS: f64 = 0.85;
 
 /// A preset that was drawn, and the colours that go with it.
 pub(crate) struct DrawnPreset {
@@ -59,6 +63,8 @@ impl DrawnPreset {
         preset.walk_signals = random.chance(WALK_SIGNALS);
         preset.signal_repeaters = random.chance(REPEATERS);
         preset.kerb_guard = [None, Some(Prop::KerbRail), Some(Prop::Bollard)][random.weighted(&KERB_GUARDS)];
+        preset.street_signs =
+            random.chance(WITH_SIGNS).then(|| *random.pick(&[SignStandard::Vienna, SignStandard::Mutcd]));
         preset.bus_lanes = random.chance(BUS_LANES).then(|| *random.pick(&BUS_LANE_COLORS));
         for zone in &mut preset.zones {
             let (low, high) = zone.storeys;

@@ -22,7 +22,7 @@ use crate::dressing::planting::trees::TreePlanter;
 use crate::dressing::preset::TownPreset;
 use crate::dressing::road_furniture::parking::KerbBay;
 use crate::dressing::road_furniture::post::RoadsidePosts;
-use crate::dressing::road_furniture::{furniture, iron, kerb_guard, parking, street_life, walk_signal};
+use crate::dressing::road_furniture::{furniture, iron, kerb_guard, parking, street_life, street_sign, walk_signal};
 use crate::geometry::{OccupiedSpace, Rect, around};
 use crate::placement::{PlacedObject, Placement};
 use crate::town::{Town, TownError};
@@ -232,6 +232,9 @@ impl<'m> TownShell<'m> {
             walk_signal::add(&mut assembly, &posts);
         }
         posts.signs(&mut assembly);
+        if let Some(standard) = preset.street_signs {
+            street_sign::add(&mut assembly, &posts, standard);
+        }
         posts.lamps(&mut assembly);
         posts.street_furniture(&mut assembly);
         let known_trees = planter.known(&mut assembly);

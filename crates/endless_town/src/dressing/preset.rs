@@ -1,6 +1,7 @@
 //! What sets one dressed map apart from another: lamps, trees, what is built where.
 
 use crate::building::BuildingKind;
+use crate::dressing::road_furniture::street_sign::SignStandard;
 use crate::palette::ASPHALT;
 use endless_asset::Prop;
 use endless_scene::Material;
@@ -55,6 +56,8 @@ pub(crate) struct TownPreset {
     /// Crossings with signals show them, and a second light stands on the other side of approaches.
     pub(crate) walk_signals: bool,
     pub(crate) signal_repeaters: bool,
+    /// Whose signs stand in the streets beside those of the map.
+    pub(crate) street_signs: Option<SignStandard>,
     /// What stands at the kerbs of corners: rails or bollards.
     pub(crate) kerb_guard: Option<Prop>,
     /// Share of lines that have left traces elsewhere.
@@ -83,6 +86,7 @@ impl Default for TownPreset {
             life: StreetLife::default(),
             walk_signals: false,
             signal_repeaters: false,
+            street_signs: None,
             kerb_guard: None,
             old_paint: 0.0,
             bus_lanes: None,

@@ -7,6 +7,7 @@ pub(crate) mod parking;
 mod parking_bay;
 pub(crate) mod post;
 pub(crate) mod street_life;
+pub(crate) mod street_sign;
 mod swept_ground;
 pub(crate) mod walk_signal;
 pub(crate) mod wire;

@@ -1,0 +1,137 @@
+//! Signs that no map tells of: along kerbs, before junctions, and at the noses of medians, in one country's manner.
+
+use crate::dressing::assembly::{PropPose, TownAssembly};
+use crate::dressing::road_furniture::post::RoadsidePosts;
+use crate::geometry::unit;
+use endless_asset::{Catalogue, Prop};
+use endless_road::{Lane, TrafficControl};
+use glam::DVec2;
+use std::f64::consts::PI;
+
+/// From one sign to the next along a kerb, metres.
+const APART_M: [f64; 2] = [28.0, 90.0];
+/// Before the end of a street, metres.
+const BEFORE_JUNCTION_M: [f64; 2] = [4.0, 16.0];
+/// Share of streets' ends with a sign, and of medians.
+const ENDS: f64 = 0.45;
+const MEDIANS: f64 = 0.8;
+/// From the edge of the carriageway to a post.
+const BEYOND_M: f64 = 0.5;
+/// From the nose of a median to its sign.
+const NOSE_M: f64 = 0.9;
+/// Signs on medians stand so much lower than others.
+const LOWER_M: f64 = 1.45;
+const HALF: DVec2 = DVec2::splat(0.2);
+/// Most signs of a map.
+const MOST: usize = 700;
+
+/// Whose signs a town has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SignStandard {
+    /// Convention on Road Signs and Signals (Vienna, 1968).
+    Vienna,
+    /// Manual on Uniform Traffic Control Devices (United States).
+    Mutcd,
+}
+
+/// Codes of signs, by frequency.
+type Codes = &'static [(&'static str, f64)];
+
+impl SignStandard {
+    const fn along_kerbs(self) -> Codes {
+        match self {
+            Self::Vienna => &[
+                ("C,18", 3.0),
+                ("C,19", 2.0),
+                ("E,14", 3.0),
+                ("A,12", 0.8),
+                ("A,13", 0.6),
+                ("A,32", 0.4),
+                ("B,3", 0.6),
+                ("D,4", 0.5),
+            ],
+            Self::Mutcd => &[("R7-1", 5.0), ("R2-1", 2.0), ("W11-2", 1.0), ("S1-1", 0.6), ("W1-2", 0.3)],
+        }
+    }
+
+    const fn before_junctions(self) -> Codes {
+        match self {
+            Self::Vienna => &[("D,1a", 2.0), ("D,2", 1.0), ("E,3", 1.0), ("C,2", 0.5), ("C,1", 0.5)],
+            Self::Mutcd => &[("R6-1", 2.0), ("W2-1", 1.0), ("R7-1", 1.0), ("R5-1", 0.5)],
+        }
+    }
+
+    const fn before_signals(self) -> Codes {
+        match self {
+            Self::Vienna => &[("A,17a", 1.0), ("D,1a", 2.0), ("D,2", 1.0), ("C,18", 1.0)],
+            Self::Mutcd => &[("W3-3", 1.0), ("R6-1", 2.0), ("R7-1", 1.0)],
+        }
+    }
+
+    /// "Pass this side".
+    const fn on_medians(self) -> Codes {
+        match self {
+            Self::Vienna => &[("D,2", 1.0)],
+            Self::Mutcd => &[("R4-7", 1.0)],
+        }
+    }
+}
+
+/// Puts them where there is room.
+pub(crate) fn add(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, standard: SignStandard) {
+    let mut placed = 0;
+    for (i, lane) in posts.kerb_lanes() {
+        let mut stream = assembly.stream(35_000_000 + i as u64);
+        let length = lane.centerline.length();
+        if stream.chance(ENDS) {
+            let controlled = matches!(lane.end_control, TrafficControl::Signal(_));
+            let codes = if controlled { standard.before_signals() } else { standard.before_junctions() };
+            let (code, back) =
+                (drawn(codes, &mut stream), stream.range_f64(BEFORE_JUNCTION_M[0], BEFORE_JUNCTION_M[1]));
+            placed += usize::from(back < length && beside_kerb(assembly, posts, (lane, length - back), code));
+        }
+        let mut s = stream.range_f64(5.0, APART_M[1]);
+        while s < length - BEFORE_JUNCTION_M[1] && placed < MOST {
+            let code = drawn(standard.along_kerbs(), &mut stream);
+            placed += usize::from(beside_kerb(assembly, posts, (lane, s), code));
+            s += stream.range_f64(APART_M[0], APART_M[1]);
+        }
+    }
+    for (i, lane) in posts.map.network.lanes.iter().enumerate() {
+        let mut stream = assembly.stream(36_000_000 + i as u64);
+        if lane.junction.is_none() && stream.chance(MEDIANS) && placed < MOST {
+            let code = drawn(standard.on_medians(), &mut stream);
+            placed += usize::from(on_median(assembly, posts, lane, code));
+        }
+    }
+}
+
+fn drawn(codes: Codes, stream: &mut endless_world::Stream) -> u32 {
+    let weights: Vec<f64> = codes.iter().map(|c| c.1).collect();
+    let code = codes[stream.weighted(&weights)].0;
+    Catalogue::sign_codes().iter().position(|c| *c == code).unwrap_or(0) as u32
+}
+
+/// A sign on a sidewalk, for those who drive towards it; whether it has room.
+fn beside_kerb(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, (lane, s): (&Lane, f64), face: u32) -> bool {
+    let Some(verge) = posts.verge(lane, s, posts.side(), BEYOND_M).filter(|v| v.walk) else { return false };
+    let spot = PropPose { z: verge.z, ..PropPose::new(verge.at, lane.centerline.at(s).heading_rad + PI) };
+    assembly.put_variant((Prop::TrafficSign, face), spot, HALF)
+}
+
+/// A low sign where a median begins, beside the innermost lane of its direction; whether there is one.
+fn on_median(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, lane: &Lane, face: u32) -> bool {
+    let inner = if posts.map.left_hand { lane.right } else { lane.left };
+    if inner.is_some() || lane.centerline.length() < 2.0 * NOSE_M {
+        return false;
+    }
+    let place = lane.centerline.at(NOSE_M);
+    let across = unit(place.heading_rad).perp() * -posts.side();
+    let at = place.position.truncate() + across * (lane.width_m / 2.0 + BEYOND_M);
+    let free = [at, at + across * 0.3].into_iter().all(|p| !posts.pavement.is_carriageway(p));
+    // Beyond a median others drive.
+    let divides = (2..9).any(|k| posts.pavement.is_carriageway(at + across * f64::from(k)));
+    let z = posts.ground(at.extend(place.position.z));
+    let spot = PropPose { z: z - LOWER_M, ..PropPose::new(at, place.heading_rad + PI) };
+    free && divides && (z - place.position.z).abs() < 0.6 && assembly.put_variant((Prop::TrafficSign, face), spot, HALF)
+}
