@@ -180,7 +180,7 @@ recipe_options! {
     /// drones: a list in TOML or JSON (docs/rigs.md).
     sensor: Vec<SensorSpec> => #[serde(default, skip_serializing_if = "Vec::is_empty")] Vec<SensorSpec>,
         OptionKind::Rig, Described("none");
-    /// Weathers to choose from.
+    /// Weathers to choose from; one that is named twice is twice as frequent.
     weathers: Vec<String> => Vec<Weather>, OptionKind::Words(Vocabulary::of::<Weather>()), Described("all");
     /// Times of day to choose from.
     times: Vec<String> => Vec<TimeOfDay>, OptionKind::Words(Vocabulary::of::<TimeOfDay>()), Described("all");

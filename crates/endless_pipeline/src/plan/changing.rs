@@ -14,8 +14,11 @@ pub(super) fn to(recipe: &Recipe, video: u32, weather: Weather, time_of_day: Tim
 }
 
 fn another_weather(recipe: &Recipe, video: u32, weather: Weather) -> Weather {
-    let known = if recipe.weathers.len() > 1 { &recipe.weathers } else { Weather::ALL };
-    let mut others: Vec<Weather> = known.iter().copied().filter(|other| *other != weather).collect();
+    let others_of = |known: &[Weather]| known.iter().copied().filter(|other| *other != weather).collect::<Vec<_>>();
+    let mut others = others_of(&recipe.weathers);
+    if others.is_empty() {
+        others = others_of(Weather::ALL);
+    }
     Stream::named(recipe.seed, "changing weather", &[video.into()]).shuffle(&mut others);
     others[0]
 }
@@ -58,5 +61,6 @@ mod tests {
         };
         assert_eq!(becoming(&[Weather::Rainy, Weather::Foggy]), [Weather::Rainy, Weather::Foggy].into());
         assert_eq!(becoming(&[Weather::Rainy]).len(), Weather::ALL.len() - 1);
+        assert_eq!(becoming(&[Weather::Rainy, Weather::Rainy]).len(), Weather::ALL.len() - 1);
     }
 }
