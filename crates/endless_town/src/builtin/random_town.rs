@@ -32,6 +32,9 @@ const HALF_MEDIAN_M: [f64; 2] = [1.2, 6.0];
 const BRIDGE_M: f64 = 34.0;
 /// Streets over a highway end so far behind its middle, metres.
 const OVER_M: f64 = 80.0;
+/// Length of a street at the market of a radial plan, and of one from the market half-way to the ring, metres.
+const MARKET_M: [f64; 2] = [58.0, 80.0];
+const BLOCK_M: [f64; 2] = [75.0, 105.0];
 /// Streets that leave the town reach so far beyond it, metres.
 const LEAVING_M: f64 = 70.0;
 
@@ -123,7 +126,9 @@ impl RandomPlan {
             }
         }
         self.blocks(&columns, &rows, random);
+        // The avenue goes on by itself.
         self.northwards = columns;
+        self.northwards.remove(avenue[0]);
     }
 
     /// A street from end to end of a grid, without some of its blocks; avenues go on beyond both ends.
@@ -190,15 +195,15 @@ impl RandomPlan {
     }
 
     fn radial(&mut self, random: &mut Stream) {
-        let radius = random.range_f64(150.0, 230.0);
         let arms = 4 + random.below(4);
+        let near = (arms as f64 * random.range_f64(MARKET_M[0], MARKET_M[1])) / TAU;
+        let radius = near + 2.0 * random.range_f64(BLOCK_M[0], BLOCK_M[1]);
         let begin = random.range_f64(0.0, TAU);
         let angles: Vec<f64> =
             (0..arms).map(|k| begin + (k as f64 + random.range_f64(-0.18, 0.18)) * TAU / arms as f64).collect();
         self.half_m = DVec2::splat(radius + LEAVING_M);
-        let near = radius * random.range_f64(0.16, 0.26);
         let round = |radius: f64, random: &mut Stream| -> Vec<(f64, f64)> {
-            angles.iter().map(|&a| unit(a) * radius * random.range_f64(0.9, 1.1)).map(|p| (p.x, p.y)).collect()
+            angles.iter().map(|&a| unit(a) * radius * random.range_f64(0.95, 1.05)).map(|p| (p.x, p.y)).collect()
         };
         let (ring, market) = (round(radius, random), round(near, random));
         let avenue = *random.pick(self.region.avenues);
@@ -221,12 +226,11 @@ impl RandomPlan {
             self.layout.road(&words, spoke);
             self.crossing(DVec2::from(ring[k]), 0.6, true, random);
         }
+        // Streets between spokes meet where these are half-way out.
+        let half_way = |line: &[DVec2]| line[(line.len() - 1) / 3];
         for k in 0..arms {
-            let (a, b) = (&spokes[k], &spokes[(k + 1) % arms]);
-            let at = |line: &[DVec2], share: f64| line[((line.len() - 1) as f64 * share) as usize];
-            let share = random.range_f64(0.3, 0.5);
             let words = random.pick(self.region.streets);
-            self.layout.road(words, &[at(a, share), at(b, share)]);
+            self.layout.road(words, &[half_way(&spokes[k]), half_way(&spokes[(k + 1) % arms])]);
         }
         let inset: Vec<DVec2> = market.iter().map(|&p| DVec2::from(p) * 0.72).collect();
         if random.chance(0.7) {
@@ -234,7 +238,6 @@ impl RandomPlan {
         } else {
             self.layout.land("leisure=park", &inset);
         }
-        self.northwards = vec![0.0];
     }
 
     /// Two carriageways north of the town, with bridges of some of its streets over them.
@@ -312,5 +315,21 @@ mod tests {
             .collect();
         assert!(lengths.windows(2).all(|pair| pair[0] != pair[1]));
         assert_eq!(make(3).0.network.lanes.len(), make(3).0.network.lanes.len());
+    }
+
+    #[test]
+    fn junctions_have_room_between_them() {
+        for number in (0..80).chain([950_088, 380_787]) {
+            let (map, _) = make(number);
+            let lengths = |inside: bool| {
+                let lanes = map.network.lanes.iter().filter(move |lane| lane.junction.is_some() == inside);
+                lanes.map(|lane| lane.centerline.length())
+            };
+            let (shortest, longest) = (lengths(false).fold(f64::MAX, f64::min), lengths(true).fold(0.0, f64::max));
+            assert!(
+                shortest > 8.0 && longest < 90.0,
+                "{number}: a street of {shortest:.1} m, a path of {longest:.1} m"
+            );
+        }
     }
 }
