@@ -25,6 +25,8 @@ const REPEATERS: f64 = 0.4;
 /// Towns with nothing at the kerbs of corners, with rails, with bollards.
 const KERB_GUARDS: [f64; 3] = [0.45, 0.3, 0.25];
 
+/// Share of the ground between houses that is not paved where most is.
+const GREEN_YARDS: [f64; 2] = [0.1, 0.8];
 /// Share of towns with signs along their streets.
 const WITH_SIGNS: f64 = 0.85;
 
@@ -47,6 +49,7 @@ impl DrawnPreset {
         preset.wires = usual.wires || random.chance(WIRED);
         preset.bright = usual.bright || random.chance(BRIGHT);
         preset.yards = usual.yards || random.chance(0.25);
+        preset.green_yards = random.range_f64(GREEN_YARDS[0], GREEN_YARDS[1]);
         // Where wires hang, streets are full of other things, too.
         let full = if preset.wires { 1.6 } else { 1.0 };
         let mut share = |often: f64, most: f64| {

@@ -181,7 +181,7 @@ impl<'m> TownShell<'m> {
 
         let paver = surface::PavementMesher::new(&lane_surfaces, &pavement, &land, preset.paving);
         let piers = paver.piers(&mut occupied);
-        let parcels = preset.yards.then(|| YardParcels::new(&map.network));
+        let parcels = preset.yards.then(|| YardParcels::new(&map.network, preset.green_yards));
         let ground = || {
             let mut ground = MeshBuilder::new();
             paver.pave(&mut ground, &piers);

@@ -51,6 +51,8 @@ pub(crate) struct TownPreset {
     pub(crate) maize: bool,
     /// Ground between houses is paved where roads are many.
     pub(crate) yards: bool,
+    /// Share of its pieces where something grows instead.
+    pub(crate) green_yards: f64,
     /// What is in the streets that no plan has.
     pub(crate) life: StreetLife,
     /// Crossings with signals show them, and a second light stands on the other side of approaches.
@@ -83,6 +85,7 @@ impl Default for TownPreset {
             bright: false,
             maize: false,
             yards: false,
+            green_yards: 0.0,
             life: StreetLife::default(),
             walk_signals: false,
             signal_repeaters: false,
