@@ -35,6 +35,8 @@ const OVER_M: f64 = 80.0;
 /// Length of a street at the market of a radial plan, and of one from the market half-way to the ring, metres.
 const MARKET_M: [f64; 2] = [58.0, 80.0];
 const BLOCK_M: [f64; 2] = [75.0, 105.0];
+/// From the middle of a street to a square beside it, whose edge its sidewalk must touch, metres.
+const SQUARE_INSET_M: f64 = 9.2;
 /// Streets that leave the town reach so far beyond it, metres.
 const LEAVING_M: f64 = 70.0;
 
@@ -176,7 +178,8 @@ impl RandomPlan {
     fn blocks(&mut self, columns: &[f64], rows: &[f64], random: &mut Stream) {
         for x in columns.windows(2) {
             for y in rows.windows(2) {
-                let inset = 14.0;
+                let kind = random.below(14);
+                let inset = if kind == 1 { SQUARE_INSET_M } else { 14.0 };
                 let corners = [
                     (x[0], y[0], 1.0, 1.0),
                     (x[1], y[0], -1.0, 1.0),
@@ -184,7 +187,7 @@ impl RandomPlan {
                     (x[0], y[1], 1.0, -1.0),
                 ];
                 let outline = corners.map(|(x, y, dx, dy)| self.bent(DVec2::new(x + dx * inset, y + dy * inset)));
-                match random.below(14) {
+                match kind {
                     0 => self.layout.park(&outline),
                     1 => self.layout.square(&outline),
                     2 => self.layout.land("amenity=parking", &outline),
@@ -232,7 +235,8 @@ impl RandomPlan {
             let words = random.pick(self.region.streets);
             self.layout.road(words, &[half_way(&spokes[k]), half_way(&spokes[(k + 1) % arms])]);
         }
-        let inset: Vec<DVec2> = market.iter().map(|&p| DVec2::from(p) * 0.72).collect();
+        let inset = 1.0 - SQUARE_INSET_M / (near * sin(PI / 2.0 - PI / arms as f64));
+        let inset: Vec<DVec2> = market.iter().map(|&p| DVec2::from(p) * inset).collect();
         if random.chance(0.7) {
             self.layout.square(&inset);
         } else {
@@ -331,5 +335,19 @@ mod tests {
                 "{number}: a street of {shortest:.1} m, a path of {longest:.1} m"
             );
         }
+    }
+
+    #[test]
+    fn people_can_walk_on_squares() {
+        let squares = (0..40).flat_map(|number| {
+            let (map, _) = make(number);
+            let walk = map.network.walk;
+            map.areas.into_iter().filter(|area| area.kind == endless_road::LandUse::Plaza).map(move |area| {
+                let on_it = |p: &&glam::DVec3| crate::geometry::inside(&area.outline, p.truncate());
+                (number, walk.nodes.iter().filter(on_it).count())
+            })
+        });
+        let (walked, empty): (Vec<_>, Vec<_>) = squares.partition(|square| square.1 > 8);
+        assert!(walked.len() > 8 * empty.len(), "{walked:?}, nobody on those of {empty:?}");
     }
 }
