@@ -272,6 +272,9 @@ pub(crate) struct SimulateArgs {
     /// Share of motorcycles and bicycles among moving vehicles, instead of the region's.
     #[arg(long, value_name = "0..1", value_parser = share)]
     pub(crate) two_wheelers: Option<f64>,
+    /// Share of bicycles among moving two-wheelers, instead of the region's.
+    #[arg(long, value_name = "0..1", value_parser = share)]
+    pub(crate) bicycles: Option<f64>,
     /// Share of trucks and buses among moving vehicles that are no two-wheelers, instead of the region's.
     #[arg(long, value_name = "0..1", value_parser = share)]
     pub(crate) heavy_vehicles: Option<f64>,

@@ -50,6 +50,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         profile: TrafficProfile {
             region: args.region,
             two_wheelers: args.two_wheelers,
+            bicycles: args.bicycles,
             heavy_vehicles: args.heavy_vehicles,
             clothing: args.clothing,
             aggressiveness: args.aggressiveness,

@@ -184,13 +184,18 @@ fn events(recipe: &Recipe, video: u32) -> Vec<IncidentKind> {
     kinds.iter().copied().skip(video as usize % kinds.len().max(1)).take(1).collect()
 }
 
-/// The share of heavy vehicles: what is asked for, or one of the video's own where its region is drawn, from that of a
-/// street of shops to that of a road to the docks.
-fn heavy_vehicles(recipe: &Recipe, video: u32) -> Option<f64> {
-    let mut random = Stream::named(recipe.seed, "heavy vehicles", &[u64::from(video)]);
+/// Shares of heavy vehicles: from that of a street of shops to that of a road to the docks.
+const HEAVY_VEHICLES: [f64; 2] = [0.03, 0.35];
+/// Shares of bicycles among two-wheelers: from those of a city of motorcycles to that of a city of cyclists.
+const BICYCLES: [f64; 2] = [0.03, 0.9];
+
+/// A share in traffic: what is asked for, or one of the video's own where its region is drawn, small ones as often as large
+/// ones.
+fn drawn_share(recipe: &Recipe, video: u32, asked: Option<f64>, name: &str, shares: [f64; 2]) -> Option<f64> {
     let drawn = recipe.region == RegionChoice::Drawn;
-    let [least, most] = [0.03, 0.35].map(ln);
-    recipe.heavy_vehicles.or_else(|| drawn.then(|| exp(random.range_f64(least, most))))
+    let [least, most] = shares.map(ln);
+    let draw = || exp(Stream::named(recipe.seed, name, &[u64::from(video)]).range_f64(least, most));
+    asked.or_else(|| drawn.then(draw))
 }
 
 /// Clothes for what is asked for; where the region is drawn, some videos are of the cold season that it has.
@@ -231,7 +236,8 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         profile: TrafficProfile {
             region,
             two_wheelers: recipe.two_wheelers,
-            heavy_vehicles: heavy_vehicles(recipe, video),
+            bicycles: drawn_share(recipe, video, recipe.bicycles, "bicycles", BICYCLES),
+            heavy_vehicles: drawn_share(recipe, video, recipe.heavy_vehicles, "heavy vehicles", HEAVY_VEHICLES),
             clothing: clothing(recipe, video, region),
             aggressiveness: recipe.aggressiveness,
             parked: recipe.parked,

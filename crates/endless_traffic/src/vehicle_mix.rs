@@ -117,16 +117,23 @@ pub(crate) fn looks(spec: &VehicleSpec, region: Region) -> LookPool {
 
 /// The frequency of each of these models among moving vehicles; they need not sum to 1.
 pub(crate) fn frequencies(specs: &[VehicleSpec], profile: &TrafficProfile) -> Vec<f64> {
-    let TrafficProfile { region, two_wheelers, heavy_vehicles, .. } = *profile;
+    let TrafficProfile { region, two_wheelers, bicycles, heavy_vehicles, .. } = *profile;
     let mut weights: Vec<f64> = specs.iter().map(|spec| spec.frequency * design_factor(region, spec.name)).collect();
     if let Some(shares) = class_shares(region) {
         scale_to(specs, &mut weights, |class| CLASSES.iter().position(|&other| other == class), &shares);
     }
+    // Of those on two wheels, and of the others.
+    let mut set_share = |of_two_wheeled: bool, is: &dyn Fn(ObjectClass) -> bool, share: f64| {
+        let group = |class: ObjectClass| (class.two_wheeled() == of_two_wheeled).then(|| usize::from(is(class)));
+        let counted = specs.iter().zip(&weights).filter(|(spec, _)| group(spec.class).is_some());
+        let all: f64 = counted.map(|(_, weight)| weight).sum();
+        scale_to(specs, &mut weights, group, &[all * (1.0 - share), all * share]);
+    };
     if let Some(share) = heavy_vehicles {
-        let is_heavy = |class| matches!(class, ObjectClass::Truck | ObjectClass::Bus);
-        let of_all: f64 = specs.iter().zip(&weights).filter(|(s, _)| !s.class.two_wheeled()).map(|(_, w)| w).sum();
-        let group = |class: ObjectClass| (!class.two_wheeled()).then(|| usize::from(is_heavy(class)));
-        scale_to(specs, &mut weights, group, &[of_all * (1.0 - share), of_all * share]);
+        set_share(false, &|class| matches!(class, ObjectClass::Truck | ObjectClass::Bus), share);
+    }
+    if let Some(share) = bicycles {
+        set_share(true, &|class| class == ObjectClass::Bicycle, share);
     }
     if let Some(share) = two_wheelers {
         scale_to(specs, &mut weights, |class| Some(usize::from(class.two_wheeled())), &[1.0 - share, share]);
@@ -208,6 +215,22 @@ mod tests {
                 };
                 assert!((share(profile, heavy) - wanted * (1.0 - two_wheelers)).abs() < 1e-9, "{region}");
                 assert!((share(profile, |spec| spec.class.two_wheeled()) - two_wheelers).abs() < 1e-9, "{region}");
+            }
+        }
+    }
+
+    #[test]
+    fn bicycles_have_the_share_of_two_wheelers_that_is_asked_for() {
+        for &region in Region::ALL {
+            for (wanted, two_wheelers) in [(0.0, 0.3), (0.7, 0.4), (1.0, 1.0)] {
+                let profile = TrafficProfile {
+                    region,
+                    two_wheelers: Some(two_wheelers),
+                    bicycles: Some(wanted),
+                    ..TrafficProfile::default()
+                };
+                let bicycles = share(profile, |spec| spec.class == ObjectClass::Bicycle);
+                assert!((bicycles - wanted * two_wheelers).abs() < 1e-9, "{region}");
             }
         }
     }

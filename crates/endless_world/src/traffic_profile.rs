@@ -165,6 +165,9 @@ pub struct TrafficProfile {
     /// Share of motorcycles and bicycles among moving vehicles, 0 to 1; the region's if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub two_wheelers: Option<f64>,
+    /// Share of bicycles among moving two-wheelers, 0 to 1; the region's if there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bicycles: Option<f64>,
     /// Share of trucks and buses among moving vehicles that are no two-wheelers, 0 to 1; the region's if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heavy_vehicles: Option<f64>,
@@ -185,6 +188,7 @@ impl Default for TrafficProfile {
         Self {
             region: Region::default(),
             two_wheelers: None,
+            bicycles: None,
             heavy_vehicles: None,
             clothing: Clothing::default(),
             aggressiveness: 0.5,

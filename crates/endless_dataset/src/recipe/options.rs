@@ -118,6 +118,9 @@ recipe_options! {
     /// Share of motorcycles and bicycles among moving vehicles, instead of the region's.
     two_wheelers: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
         OptionKind::Number { least: 0.0, most: 1.0 }, Described("the region's");
+    /// Share of bicycles among moving two-wheelers; where the region is drawn, another in each video.
+    bicycles: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Described("the region's");
     /// Share of trucks and buses among moving vehicles that are no two-wheelers; where the region is drawn, another in each video.
     heavy_vehicles: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
         OptionKind::Number { least: 0.0, most: 1.0 }, Described("the region's");

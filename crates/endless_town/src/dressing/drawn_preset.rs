@@ -1,7 +1,7 @@
 //! What a town is like that is dressed anew: its lamps, trees, wires, what is built, and the colours of its grounds.
 
 use super::preset::{StreetLife, TownPreset};
-use super::road_furniture::street_sign::SignStandard;
+use super::road_furniture::sign_standard::SignStandard;
 use endless_asset::Prop;
 use endless_scene::{Mesh, Surface};
 use endless_world::Stream;

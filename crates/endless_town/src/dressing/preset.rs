@@ -1,7 +1,7 @@
 //! What sets one dressed map apart from another: lamps, trees, what is built where.
 
 use crate::building::BuildingKind;
-use crate::dressing::road_furniture::street_sign::SignStandard;
+use crate::dressing::road_furniture::sign_standard::SignStandard;
 use crate::palette::ASPHALT;
 use endless_asset::Prop;
 use endless_scene::Material;

@@ -6,6 +6,7 @@ pub(crate) mod kerb_guard;
 pub(crate) mod parking;
 mod parking_bay;
 pub(crate) mod post;
+pub(crate) mod sign_standard;
 pub(crate) mod street_life;
 pub(crate) mod street_sign;
 mod swept_ground;
