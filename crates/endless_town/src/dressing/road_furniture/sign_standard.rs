@@ -29,17 +29,18 @@ impl SignStandard {
         }
     }
 
+    /// None that forbids or demands a way: where vehicles go is up to the map.
     pub(crate) const fn before_junctions(self) -> Codes {
         match self {
-            Self::Vienna => &[("D,1a", 2.0), ("D,2", 1.0), ("E,3", 1.0), ("C,2", 0.5), ("C,1", 0.5)],
-            Self::Mutcd => &[("R6-1", 2.0), ("W2-1", 1.0), ("R7-1", 1.0), ("R5-1", 0.5)],
+            Self::Vienna => &[("C,18", 1.0), ("A,32", 1.0), ("E,14", 0.5), ("A,12", 0.5)],
+            Self::Mutcd => &[("W2-1", 2.0), ("R7-1", 1.0), ("R2-1", 0.5)],
         }
     }
 
     pub(crate) const fn before_signals(self) -> Codes {
         match self {
-            Self::Vienna => &[("A,17a", 1.0), ("D,1a", 2.0), ("D,2", 1.0), ("C,18", 1.0)],
-            Self::Mutcd => &[("W3-3", 1.0), ("R6-1", 2.0), ("R7-1", 1.0)],
+            Self::Vienna => &[("A,17a", 2.0), ("C,18", 1.0), ("C,19", 1.0)],
+            Self::Mutcd => &[("W3-3", 2.0), ("R7-1", 1.0)],
         }
     }
 
