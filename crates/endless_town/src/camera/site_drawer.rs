@@ -22,7 +22,7 @@ const LEAST_STREET: f32 = 0.16;
 const LEAST_PAVED: f32 = 0.22;
 const MOST_WALL: f32 = 0.15;
 const MOST_SKY: f32 = 0.34;
-/// What things near the lens may take of a picture, and of one in this many pictures.
+/// What things near the lens may take of a picture; more of a share of pictures.
 const MOST_HIDDEN: f32 = 0.04;
 const MOST_OBSTRUCTED: f32 = 0.12;
 const OBSTRUCTED: f64 = 0.25;

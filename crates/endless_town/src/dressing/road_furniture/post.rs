@@ -5,7 +5,7 @@ use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
 use crate::geometry::unit;
-use endless_asset::Prop;
+use endless_asset::{Catalogue, Prop};
 use endless_road::{Lane, MapObjectKind, RoadMap, TrafficControl};
 use endless_scene::StreetLamp;
 use endless_world::SignalId;
@@ -47,16 +47,19 @@ const GERMAN: &[(&str, &str)] = &[
     ("314", "E,14"),
 ];
 
+/// The variant of [`Prop::TrafficSign`] with exactly this code.
+pub(crate) fn sign_variant(code: &str) -> Option<u32> {
+    Catalogue::sign_codes().iter().position(|c| *c == code).map(|k| k as u32)
+}
+
 /// The face of a sign of this code (country, type, subtype): of the German catalogue or of the MUTCD.
 fn face_of(code: &str) -> Option<u32> {
-    let codes = endless_asset::Catalogue::sign_codes();
-    let place = |code: &str| codes.iter().position(|c| *c == code);
     let words = code.split(|c: char| !c.is_ascii_alphanumeric() && c != '-');
     let found = words.filter_map(|word| {
         let german = GERMAN.iter().find(|g| g.0 == word.split('-').next().unwrap_or(word));
-        german.map_or_else(|| place(word), |g| place(g.1))
+        german.map_or_else(|| sign_variant(word), |g| sign_variant(g.1))
     });
-    found.max().map(|k| k as u32)
+    found.max()
 }
 
 /// A point beside a carriageway.

@@ -45,10 +45,25 @@ impl SignStandard {
     }
 
     /// "Pass this side".
-    pub(crate) const fn on_medians(self) -> Codes {
+    pub(crate) const fn on_medians(self) -> &'static str {
         match self {
-            Self::Vienna => &[("D,2", 1.0)],
-            Self::Mutcd => &[("R4-7", 1.0)],
+            Self::Vienna => "D,2",
+            Self::Mutcd => "R4-7",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dressing::road_furniture::post::sign_variant;
+
+    #[test]
+    fn every_code_has_a_face() {
+        for standard in [SignStandard::Vienna, SignStandard::Mutcd] {
+            let lists = [standard.along_kerbs(), standard.before_junctions(), standard.before_signals()];
+            let codes = lists.into_iter().flatten().map(|code| code.0).chain([standard.on_medians()]);
+            codes.for_each(|code| assert!(sign_variant(code).is_some(), "{code}"));
         }
     }
 }

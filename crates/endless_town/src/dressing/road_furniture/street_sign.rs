@@ -1,11 +1,12 @@
 //! Signs that no map tells of: along kerbs, before junctions, and at the noses of medians, in one country's manner.
 
 use crate::dressing::assembly::{PropPose, TownAssembly};
-use crate::dressing::road_furniture::post::RoadsidePosts;
+use crate::dressing::road_furniture::post::{RoadsidePosts, sign_variant};
 use crate::dressing::road_furniture::sign_standard::{Codes, SignStandard};
 use crate::geometry::unit;
-use endless_asset::{Catalogue, Prop};
+use endless_asset::Prop;
 use endless_road::{Lane, TrafficControl};
+use endless_world::Stream;
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -49,27 +50,35 @@ pub(crate) fn add(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, st
     for (i, lane) in posts.map.network.lanes.iter().enumerate() {
         let mut stream = assembly.stream(36_000_000 + i as u64);
         if lane.junction.is_none() && stream.chance(MEDIANS) && placed < MOST {
-            let code = drawn(standard.on_medians(), &mut stream);
-            placed += usize::from(on_median(assembly, posts, lane, code));
+            placed += usize::from(on_median(assembly, posts, lane, standard.on_medians()));
         }
     }
 }
 
-fn drawn(codes: Codes, stream: &mut endless_world::Stream) -> u32 {
+fn drawn(codes: Codes, stream: &mut Stream) -> &'static str {
     let weights: Vec<f64> = codes.iter().map(|c| c.1).collect();
-    let code = codes[stream.weighted(&weights)].0;
-    Catalogue::sign_codes().iter().position(|c| *c == code).unwrap_or(0) as u32
+    codes[stream.weighted(&weights)].0
+}
+
+/// Puts up the sign of a code; whether there is such a sign, and room for it.
+fn put_up(assembly: &mut TownAssembly<'_>, code: &str, spot: PropPose) -> bool {
+    sign_variant(code).is_some_and(|face| assembly.put_variant((Prop::TrafficSign, face), spot, HALF))
 }
 
 /// A sign on a sidewalk, for those who drive towards it; whether it has room.
-fn beside_kerb(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, (lane, s): (&Lane, f64), face: u32) -> bool {
+fn beside_kerb(
+    assembly: &mut TownAssembly<'_>,
+    posts: &RoadsidePosts<'_>,
+    (lane, s): (&Lane, f64),
+    code: &str,
+) -> bool {
     let Some(verge) = posts.verge(lane, s, posts.side(), BEYOND_M).filter(|v| v.walk) else { return false };
     let spot = PropPose { z: verge.z, ..PropPose::new(verge.at, lane.centerline.at(s).heading_rad + PI) };
-    assembly.put_variant((Prop::TrafficSign, face), spot, HALF)
+    put_up(assembly, code, spot)
 }
 
 /// A low sign where a median begins, beside the innermost lane of its direction; whether there is one.
-fn on_median(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, lane: &Lane, face: u32) -> bool {
+fn on_median(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, lane: &Lane, code: &str) -> bool {
     let inner = if posts.map.left_hand { lane.right } else { lane.left };
     if inner.is_some() || lane.centerline.length() < 2.0 * NOSE_M {
         return false;
@@ -82,5 +91,5 @@ fn on_median(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, lane: &
     let divides = (2..9).any(|k| posts.pavement.is_carriageway(at + across * f64::from(k)));
     let z = posts.ground(at.extend(place.position.z));
     let spot = PropPose { z: z - LOWER_M, ..PropPose::new(at, place.heading_rad + PI) };
-    free && divides && (z - place.position.z).abs() < 0.6 && assembly.put_variant((Prop::TrafficSign, face), spot, HALF)
+    free && divides && (z - place.position.z).abs() < 0.6 && put_up(assembly, code, spot)
 }
