@@ -5,6 +5,7 @@ mod changing;
 mod combination;
 mod cost;
 mod drawn_sites;
+mod drawn_sun;
 mod moved_camera;
 mod overlapping;
 mod partition;
@@ -210,25 +211,23 @@ fn clothing(recipe: &Recipe, video: u32, region: Region) -> Clothing {
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites, rig } = combination;
-    let clock = recorder_clock(recipe, video, time_of_day);
     let seed = Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64();
     let region = recipe.region.region(&mut Stream::named(recipe.seed, "region", &[u64::from(video)]));
     let strength = recipe.randomise_strength as f32;
     let randomised = SceneRandomisation::new(&recipe.randomise, strength, time_of_day, seed);
-    let camera = |numbered| scene_camera(recipe, (video, time_of_day), randomised.as_ref(), numbered);
-    let cameras = sites.into_iter().cloned().zip(0..).map(camera).collect();
     let town_seed = (recipe.town_seed == PerVideo::Drawn)
         .then(|| Stream::named(recipe.seed, "town seed", &[u64::from(video)]).next_u64());
-    SceneSettings {
+    let scene = SceneSettings {
         video,
         map: map.to_owned(),
         town_seed,
         drawn_sites: recipe.sites == PerVideo::Drawn,
         weather,
         time_of_day,
+        sun_elevation_deg: drawn_sun::elevation_deg(recipe, video, time_of_day),
         changing_to: changing::to(recipe, video, weather, time_of_day),
-        cameras,
-        sensors: scene_sensors(recipe, rig, video, time_of_day, clock),
+        cameras: Vec::new(),
+        sensors: Vec::new(),
         vehicles: recipe.vehicles,
         pedestrians: recipe.pedestrians,
         density: recipe.density,
@@ -257,7 +256,11 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
             offset_m: recipe.traffic_offset,
             seed: recipe.seed,
         }),
-    }
+    };
+    // Their looks and their clock follow from the rest.
+    let cameras = sites.into_iter().cloned().zip(0..).map(|numbered| scene_camera(recipe, &scene, numbered)).collect();
+    let sensors = scene_sensors(recipe, rig, video, time_of_day, recorder_clock(recipe, &scene));
+    SceneSettings { cameras, sensors, ..scene }
 }
 
 #[cfg(test)]

@@ -285,6 +285,7 @@ mod tests {
             let recipe = resolve_recipe(draft, &ThreeTowns).expect("valid");
             assert_eq!((recipe.sites, recipe.town_seed), (PerVideo::Drawn, PerVideo::Drawn), "{preset}");
             assert_eq!(recipe.maps, ["Town01"]);
+            assert_eq!(recipe.sun.is_fixed(), *preset == Preset::Night, "{preset}");
         }
         let crowd = |density: Option<&str>| {
             let (preset, density) = (Some("crowd".to_owned()), density.map(str::to_owned));

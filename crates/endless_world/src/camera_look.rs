@@ -1,6 +1,6 @@
 //! Effects of a camera's lens, sensor and recorder on its pictures.
 
-use crate::{Stream, TimeOfDay, UnknownName, math};
+use crate::{DrawnSun, Stream, TimeOfDay, UnknownName, math};
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
 use strum::VariantArray as _;
@@ -92,17 +92,30 @@ pub struct RecorderClock {
 }
 
 impl RecorderClock {
-    /// A random day, at an hour that fits the light.
-    pub fn new(time: TimeOfDay, random: &mut Stream) -> Self {
-        let hour = match time {
-            TimeOfDay::Morning => 7,
-            TimeOfDay::Afternoon => 14,
-            TimeOfDay::Night => 22,
+    /// A random day, at an hour that fits the light, or the sun where that is drawn.
+    pub fn new(time: TimeOfDay, sun: Option<DrawnSun>, random: &mut Stream) -> Self {
+        let usual = match time {
+            TimeOfDay::Morning => 7 * 3600,
+            TimeOfDay::Afternoon => 14 * 3600,
+            TimeOfDay::Night => 22 * 3600,
         };
+        let begin = sun.map_or(usual, second_of);
         let mut number = |n: u32| random.range_f32(0.0, n as f32) as u32;
         let date = [2019 + number(6) as u16, 1 + number(12) as u16, 1 + number(28) as u16];
-        Self { date, second: hour * 3600 + number(5400) }
+        Self { date, second: begin + number(5400) }
     }
+}
+
+/// The earliest second of a day at which the sun stands so. On both sides of noon it moves by ten degrees an hour, from where it
+/// is in a usual morning, and to where it is in a usual afternoon.
+fn second_of(DrawnSun { elevation_deg, rises }: DrawnSun) -> u32 {
+    const DEGREES_AN_HOUR: f32 = 10.0;
+    let hour = if rises {
+        7.0 + (elevation_deg - 15.0) / DEGREES_AN_HOUR
+    } else {
+        14.0 + (51.0 - elevation_deg) / DEGREES_AN_HOUR
+    };
+    (hour * 3600.0) as u32
 }
 
 /// The look of one camera in one scene.
@@ -339,7 +352,7 @@ mod tests {
 
     #[test]
     fn looks_differ_from_camera_to_camera() {
-        let clock = RecorderClock::new(TimeOfDay::Night, &mut Stream::named(1, "clock", &[]));
+        let clock = RecorderClock::new(TimeOfDay::Night, None, &mut Stream::named(1, "clock", &[]));
         let look = |n| {
             CameraLook::new(
                 CameraLookChoice::Random,

@@ -60,7 +60,7 @@ impl LightVariation {
         }
     }
 
-    /// The same without raising the sun, for videos in which it rises and sets.
+    /// The same without raising the sun, for videos in which it rises, sets or stands where it was drawn.
     pub(crate) fn with_sun_as_high(self) -> Self {
         Self { sun_rise_deg: 0.0, ..self }
     }

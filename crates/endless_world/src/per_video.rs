@@ -10,7 +10,7 @@ use strum::VariantArray as _;
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
 pub enum PerVideo {
-    /// As the map has it.
+    /// As the map or the table of conditions has it.
     #[default]
     Fixed,
     /// Drawn for every video, by the recipe's seed.
@@ -21,7 +21,7 @@ impl PerVideo {
     /// Both.
     pub const ALL: &[Self] = Self::VARIANTS;
 
-    /// Whether it is as the map has it.
+    /// Whether it is the same in all.
     pub fn is_fixed(&self) -> bool {
         *self == Self::Fixed
     }

@@ -32,7 +32,10 @@ pub struct SceneSettings {
     pub weather: Weather,
     /// Time of day.
     pub time_of_day: TimeOfDay,
-    /// What these two become by the last frame, if they change.
+    /// How high the sun stands, degrees above the horizon, if the video draws that; `None`: as the condition has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sun_elevation_deg: Option<f32>,
+    /// What weather and time of day become by the last frame, if they change.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub changing_to: Option<ConditionChange>,
     /// The cameras, filming the same instants. Written as a list of sites, `cameras`, and one of looks, `looks`, which is

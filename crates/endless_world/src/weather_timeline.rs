@@ -3,7 +3,7 @@
 use crate::condition_mix::{by_elevation, mixed};
 use crate::math::lerp;
 use crate::sun_path::SunPath;
-use crate::{Condition, ConditionChange, LightVariation, SceneSettings, SceneWeather, Stream, TimeOfDay};
+use crate::{Condition, ConditionChange, DrawnSun, LightVariation, SceneSettings, SceneWeather, Stream, TimeOfDay};
 
 /// Below this the sun's elevation is called night, degrees.
 const NIGHTFALL_DEG: f32 = -3.0;
@@ -35,13 +35,14 @@ impl WeatherTimeline {
     /// Of a scene.
     pub fn of(settings: &SceneSettings) -> Self {
         let SceneSettings { weather, time_of_day, seed, frames, changing_to, .. } = *settings;
-        let begin = SceneWeather::new(weather, time_of_day, seed);
+        let (begin, drawn_sun) = (SceneWeather::of_scene(settings), DrawnSun::of(settings));
         let differs = |to: &ConditionChange| (to.weather, to.time_of_day) != (weather, time_of_day);
         let change = changing_to.filter(|to| frames > 1 && differs(to));
-        let change = change.map(|to| Change::new(&begin, to, seed));
+        let change = change.map(|to| Change::new(&begin, to, drawn_sun.as_ref(), seed));
         let light = settings.randomised.as_ref().and_then(|randomised| randomised.light);
-        let sun_moves = change.as_ref().is_some_and(|change| change.sun.moves());
-        let light = light.map(|light| if sun_moves { light.with_sun_as_high() } else { light });
+        // Lamps and the colour of the light follow a sun that moves or is drawn: raising it would leave them behind.
+        let sun_as_high = drawn_sun.is_some() || change.as_ref().is_some_and(|change| change.sun.moves());
+        let light = light.map(|light| if sun_as_high { light.with_sun_as_high() } else { light });
         Self { begin, change, light, frames }
     }
 
@@ -108,8 +109,9 @@ fn name_of(elevation: f32, [from, to]: [TimeOfDay; 2]) -> TimeOfDay {
 }
 
 impl Change {
-    fn new(begin: &SceneWeather, to: ConditionChange, seed: u64) -> Self {
+    fn new(begin: &SceneWeather, to: ConditionChange, drawn_sun: Option<&DrawnSun>, seed: u64) -> Self {
         let drawn = SceneWeather::new(to.weather, to.time_of_day, Stream::named(seed, "change", &[]).next_u64());
+        let drawn = drawn_sun.map_or(drawn, |sun| drawn.with_sun_as_high_as(sun));
         // The air of one weather stays as it is.
         let values = |own: &SceneWeather| {
             let air = if to.weather == begin.weather { begin } else { own };
@@ -128,7 +130,7 @@ impl Change {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ActorDensity, ImageSize, TrafficProfile, Weather};
+    use crate::{ActorDensity, ImageSize, RandomisedPart, SceneRandomisation, TrafficProfile, Weather};
     use proptest::prelude::*;
 
     fn settings(from: ConditionChange, to: Option<ConditionChange>, frames: u32, seed: u64) -> SceneSettings {
@@ -139,6 +141,7 @@ mod tests {
             drawn_sites: false,
             weather: from.weather,
             time_of_day: from.time_of_day,
+            sun_elevation_deg: None,
             changing_to: to,
             randomised: None,
             playback: None,
@@ -233,6 +236,67 @@ mod tests {
                 prop_assert!((0.0..=1.001).contains(&way) && pair[1].1 < 1.0, "{pair:?}");
             }
             prop_assert_eq!(timeline.at_key(intervals), timeline.at_frame(frames - 1));
+        }
+    }
+
+    /// With the sun at a height that the video has drawn, degrees.
+    fn with_sun(settings: SceneSettings, elevation_deg: f32) -> SceneSettings {
+        SceneSettings { sun_elevation_deg: Some(elevation_deg), ..settings }
+    }
+
+    proptest! {
+        #[test]
+        fn a_drawn_sun_stays_where_it_is(
+            from in condition(), to in condition(), elevation in -8.0f32..70.0, strength in 0.0f32..1.0, seed: u64,
+        ) {
+            let to = ConditionChange { time_of_day: from.time_of_day, ..to };
+            let plain = settings(from, Some(to), 60, seed);
+            let drawn = with_sun(plain.clone(), elevation);
+            let light = SceneRandomisation::new(&[RandomisedPart::Light], strength, from.time_of_day, seed);
+            let varied = WeatherTimeline::of(&SceneSettings { randomised: light, ..drawn.clone() });
+            let (plain, timeline) = (WeatherTimeline::of(&plain), WeatherTimeline::of(&drawn));
+            prop_assert_eq!(timeline.intervals(), plain.intervals());
+            prop_assert_eq!(timeline.at_frame(0), SceneWeather::of_scene(&drawn));
+            for frame in [0, 13, 30, 59] {
+                let (now, in_own_light, usual) = (timeline.at_frame(frame), varied.at_frame(frame), plain.at_frame(frame));
+                for at in [&now, &in_own_light] {
+                    prop_assert!((at.sun_altitude_rad - elevation.to_radians()).abs() < 1e-5);
+                    prop_assert!(quantities(at).iter().all(|value| (0.0..=1.0).contains(value)), "{at:?}");
+                }
+                prop_assert_eq!((now.lamps_lit, now.headlights_on), (in_own_light.lamps_lit, in_own_light.headlights_on));
+                let kept = |at: &SceneWeather| (at.weather, at.time_of_day, at.sun_azimuth_rad, at.cloud_seed);
+                prop_assert_eq!(kept(&now), kept(&usual));
+                let air = |at: &SceneWeather| (at.visibility_m, at.scale_height_m, at.cloudiness);
+                prop_assert_eq!(air(&now), air(&usual));
+            }
+            let end = timeline.at_frame(59);
+            let record = by_elevation(to.weather, elevation);
+            for (a, b) in [(end.rain, record.rain), (end.lamps_lit, record.lamps_lit), (end.sun_share, record.sun_share)] {
+                prop_assert!((a - b).abs() < 1e-4, "{end:?}");
+            }
+        }
+
+        #[test]
+        fn a_twilight_has_some_lamps_lit_and_some_light_in_the_sky(
+            from in condition(), elevation in -4.8f32..-1.0, seed: u64,
+        ) {
+            let night = ConditionChange { time_of_day: TimeOfDay::Night, ..from };
+            let [dusk, dark] = [Some(elevation), None].map(|sun_elevation_deg| {
+                SceneWeather::of_scene(&SceneSettings { sun_elevation_deg, ..settings(night, None, 9, seed) })
+            });
+            prop_assert_eq!((dusk.time_of_day, dark.lamps_lit), (TimeOfDay::Night, 1.0));
+            prop_assert!(dusk.lamps_lit > 0.02 && dusk.lamps_lit < 1.0 && dusk.headlights_on > 0.5);
+            prop_assert!(dusk.airlight > 0.0 && dusk.exposure_key > dark.exposure_key);
+        }
+
+        #[test]
+        fn a_sun_that_moves_is_not_drawn(from in condition(), elevation in -8.0f32..70.0, seed: u64) {
+            let to = ConditionChange { time_of_day: from.time_of_day.next(), ..from };
+            let plain = settings(from, Some(to), 60, seed);
+            let (drawn, plain) = (WeatherTimeline::of(&with_sun(plain.clone(), elevation)), WeatherTimeline::of(&plain));
+            for frame in [0, 31, 59] {
+                prop_assert_eq!(drawn.at_frame(frame), plain.at_frame(frame));
+            }
         }
     }
 

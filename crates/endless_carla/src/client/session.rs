@@ -70,7 +70,7 @@ impl<'m> CarlaSession<'m> {
         cast: &mut Cast,
     ) -> Result<Self, ClientError> {
         world.apply_settings(&clock(1.0 / settings.fps))?;
-        world.set_weather(&weather::parameters(settings.weather, settings.time_of_day, settings.seed))?;
+        world.set_weather(&weather::parameters(&SceneWeather::of_scene(settings)))?;
         let manager = server.settings.traffic_manager.as_ref();
         let simulation = simulation(map, settings, manager.is_some())?;
         let mut driver = Driver::new(simulation);
@@ -246,7 +246,7 @@ fn focus(map: &CarlaMap, settings: &SceneSettings) -> Focus {
 
 /// Our traffic on the server's map, at frame 0.
 fn simulation(map: &CarlaMap, settings: &SceneSettings, people_alone: bool) -> Result<Simulation, ClientError> {
-    let condition = DrivingCondition::from(&*SceneWeather::new(settings.weather, settings.time_of_day, settings.seed));
+    let condition = DrivingCondition::from(&*SceneWeather::of_scene(settings));
     let focus = focus(map, settings);
     let [vehicles, pedestrians] = map.traffic.asked(&focus, settings);
     let traffic = TrafficSettings {

@@ -2,13 +2,16 @@
 
 use crate::wire::WeatherParameters;
 use endless_world::math::f64::{asin, atan2};
-use endless_world::{SceneWeather, TimeOfDay, Weather};
+use endless_world::{SceneWeather, Weather};
 
-/// CARLA's parameters of a condition. By day the sun stands where it stands in the built-in city's scene of this seed.
-pub(super) fn parameters(weather: Weather, time: TimeOfDay, seed: u64) -> WeatherParameters {
-    let sun = SceneWeather::new(weather, time, seed).sun_direction.as_dvec3();
+/// Below this the sun gives no light to the sky, degrees: the end of astronomical twilight.
+const DARK_SUN_DEG: f64 = -18.0;
+
+/// CARLA's parameters of a scene's weather. By day, at dusk and at dawn the sun stands where it stands in the built-in city.
+pub(super) fn parameters(scene: &SceneWeather) -> WeatherParameters {
+    let sun = scene.sun_direction.as_dvec3();
     let (azimuth, altitude) = (atan2(-sun.y, sun.x).to_degrees(), asin(sun.z.clamp(-1.0, 1.0)).to_degrees());
-    let altitude = if time == TimeOfDay::Night { -90.0 } else { altitude };
+    let altitude = if altitude < DARK_SUN_DEG { -90.0 } else { altitude };
     let air = WeatherParameters {
         wind_intensity: 10.0,
         fog_distance: 0.75,
@@ -19,7 +22,7 @@ pub(super) fn parameters(weather: Weather, time: TimeOfDay, seed: u64) -> Weathe
         sun_altitude_angle: altitude as f32,
         ..WeatherParameters::default()
     };
-    match weather {
+    match scene.weather {
         Weather::ClearSky => WeatherParameters { cloudiness: 5.0, fog_density: 2.0, ..air },
         Weather::Cloudy => WeatherParameters { cloudiness: 75.0, fog_density: 3.0, ..air },
         Weather::Rainy => WeatherParameters {

@@ -57,6 +57,7 @@ fn labels_are_those_of_the_built_in_renderer() {
         drawn_sites: false,
         weather: Weather::Cloudy,
         time_of_day: TimeOfDay::Afternoon,
+        sun_elevation_deg: None,
         changing_to: None,
         cameras: sites.iter().take(2).map(|site| SceneCamera { site: site.clone(), look: CameraLook::CLEAN }).collect(),
         sensors: Vec::new(),

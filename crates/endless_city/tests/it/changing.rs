@@ -23,6 +23,7 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         drawn_sites: false,
         weather: from.0,
         time_of_day: from.1,
+        sun_elevation_deg: None,
         changing_to: Some(ConditionChange { weather: to.0, time_of_day: to.1 }),
         randomised: None,
         playback: None,

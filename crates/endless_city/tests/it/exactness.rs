@@ -273,7 +273,7 @@ fn all_other_conditions() {
 fn through_lenses_that_distort() {
     for (seed, (loaded, camera)) in (0..).zip([(town03(), 0), (town03(), 2), (shared("Town10HD"), 1)]) {
         let mut random = Stream::named(seed, "camera look", &[]);
-        let clock = RecorderClock::new(TimeOfDay::Afternoon, &mut random);
+        let clock = RecorderClock::new(TimeOfDay::Afternoon, None, &mut random);
         let look = CameraLook::new(CameraLookChoice::Random, TimeOfDay::Afternoon, clock, &mut random);
         let look = CameraLook { distortion: Distortion::barrel(-0.25), ..look };
         assert!(check_through(look, loaded, camera, Weather::ClearSky, TimeOfDay::Afternoon) > 150);

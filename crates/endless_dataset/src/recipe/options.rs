@@ -194,6 +194,10 @@ recipe_options! {
     /// (docs/changing.md).
     changing: String => #[serde(default, skip_serializing_if = "is_nothing")] Changing,
         OptionKind::Word(Vocabulary::of::<Changing>()), Value("nothing");
+    /// How high the sun stands: fixed, as in a usual morning or afternoon, and dark nights; drawn, another in every video,
+    /// from just risen to near noon, and half of the nights dusk or dawn (docs/variety.md). Not where the time changes.
+    sun: String => #[serde(default, skip_serializing_if = "PerVideo::is_fixed")] PerVideo,
+        OptionKind::Word(Vocabulary::of::<PerVideo>()), Value("fixed");
     /// Image size, width x height.
     size: String => #[serde(with = "serde_size")] ImageSize, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
     /// Frames a second.

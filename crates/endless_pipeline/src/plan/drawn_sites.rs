@@ -26,8 +26,7 @@ pub(super) fn draw(
     let requests: Vec<SiteRequest> = scenes.iter().map(request).collect();
     for (scene, sites) in scenes.iter_mut().zip(catalog.draw_sites(map, &requests)?) {
         let sites = sites.ok_or_else(|| PlanError::NoViews { map: map.to_owned(), wanted })?;
-        let of_video = (scene.video, scene.time_of_day);
-        let camera = |numbered| scene_camera(recipe, of_video, scene.randomised.as_ref(), numbered);
+        let camera = |numbered| scene_camera(recipe, scene, numbered);
         scene.cameras = sites.into_iter().zip(0..).map(camera).collect();
     }
     Ok(())

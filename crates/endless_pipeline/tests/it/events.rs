@@ -19,6 +19,7 @@ fn settings(town: &str, kind: IncidentKind, seed: u64) -> SceneSettings {
         drawn_sites: false,
         weather: Weather::Rainy,
         time_of_day: TimeOfDay::Afternoon,
+        sun_elevation_deg: None,
         changing_to: None,
         sensors: Vec::new(),
         cameras: vec![SceneCamera { site: sites[0].clone(), look: CameraLook::CLEAN }],

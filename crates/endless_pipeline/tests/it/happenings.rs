@@ -21,6 +21,7 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         drawn_sites: false,
         weather: Weather::Cloudy,
         time_of_day: TimeOfDay::Afternoon,
+        sun_elevation_deg: None,
         changing_to: None,
         sensors: Vec::new(),
         cameras: vec![SceneCamera { site: sites[0].clone(), look: CameraLook::CLEAN }],
