@@ -60,6 +60,7 @@ const FURNITURE: &[Prop] = &[
     Prop::CameraPole,
     Prop::SignalPole,
     Prop::SignalMast,
+    Prop::SignalCurvedMast,
     Prop::WalkSignal,
     Prop::StopSign,
     Prop::YieldSign,

@@ -204,6 +204,9 @@ pub enum Prop {
     KerbRail,
     /// Satellite dish on a short mast, looking up towards +x.
     SatelliteDish,
+    /// Traffic-light pole that bends over the road along −y, a head under its end 4.2 m from the foot and one on the pole, both
+    /// facing +x.
+    SignalCurvedMast,
 }
 
 impl Prop {
@@ -217,7 +220,15 @@ impl Prop {
 
     /// Whether it shows the state of a signal program.
     pub const fn is_signal(self) -> bool {
-        matches!(self, Self::SignalPole | Self::SignalMast | Self::WalkSignal | Self::SpanSignal | Self::CycleSignal)
+        matches!(
+            self,
+            Self::SignalPole
+                | Self::SignalMast
+                | Self::SignalCurvedMast
+                | Self::WalkSignal
+                | Self::SpanSignal
+                | Self::CycleSignal
+        )
     }
 
     /// Whether a town buys many of one model.

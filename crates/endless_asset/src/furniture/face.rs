@@ -68,6 +68,7 @@ pub(crate) fn signal_heads(prop: Prop, variant: u32) -> Vec<SignalHead> {
     let (design, middles): (_, Vec<Vec3>) = match prop {
         Prop::SignalPole => (vehicle, signal::heads_on_pole(look)),
         Prop::SignalMast => (vehicle, signal::heads_on_mast(look).concat()),
+        Prop::SignalCurvedMast => (vehicle, signal::heads_on_curved_mast(look).concat()),
         // Under the lower wire, which sags by 0.85 m.
         Prop::SpanSignal => {
             const Z: f32 = 7.4 - 0.85 * (1.0 - 1.9 * 1.9 / 49.0) - 0.72;

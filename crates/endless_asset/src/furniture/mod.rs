@@ -38,6 +38,7 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::CameraPole => lamp::camera_pole(),
         Prop::SignalPole => signal::pole_head(signal_look::of(variant)),
         Prop::SignalMast => signal::mast(signal_look::of(variant)),
+        Prop::SignalCurvedMast => signal::curved_mast(signal_look::of(variant)),
         Prop::WalkSignal => signal::walk(signal_look::of(variant)),
         Prop::StopSign => sign::stop(),
         Prop::YieldSign => sign::give_way(),

@@ -49,6 +49,11 @@ pub(crate) fn heads_on_mast(look: &SignalLook) -> [Vec<Vec3>; 2] {
     [side_by_side(Vec3::new(0.33, 0.0, 3.2), look), on_arm]
 }
 
+/// Middles of the heads on a pole that bends over the road, that on the pole and that under its end.
+pub(crate) fn heads_on_curved_mast(look: &SignalLook) -> [Vec<Vec3>; 2] {
+    [side_by_side(Vec3::new(0.31, 0.0, 3.2), look), vec![Vec3::new(0.16, -4.2, 5.22)]]
+}
+
 /// One head, or two as near to one another as they fit.
 fn side_by_side(middle: Vec3, look: &SignalLook) -> Vec<Vec3> {
     let half = if look.plate.is_some() { 0.26 } else { 0.18 };
@@ -122,6 +127,28 @@ pub(crate) fn mast(look: &SignalLook) -> Sculpt {
     for middle in on_arm {
         s.add(head(middle, look));
         s.add(bracket(middle * Vec3::new(0.0, 1.0, 1.0), middle - Vec3::X * 0.14, look));
+    }
+    s
+}
+
+/// Pole that bends over the road along −y.
+pub(crate) fn curved_mast(look: &SignalLook) -> Sculpt {
+    const BEND: f32 = 1.7;
+    const STRAIGHT: f32 = 4.2;
+    let bend = (0..=10).map(|k| {
+        let (sin, cos) = endless_world::math::sin_cos(FRAC_PI_2 * k as f32 / 10.0);
+        (Vec3::new(0.0, -BEND * (1.0 - cos), STRAIGHT + BEND * sin), 0.085 - 0.002 * k as f32)
+    });
+    let end = Vec3::new(0.0, -4.6, STRAIGHT + BEND + 0.08);
+    let path: Vec<_> = [(Vec3::ZERO, 0.105)].into_iter().chain(bend).chain([(end, 0.05)]).collect();
+    let mut s = Sculpt::tube(&path, 12, look.pole);
+    let [on_pole, on_arm] = heads_on_curved_mast(look);
+    s.add(on_brackets(&on_pole, look));
+    for middle in on_arm {
+        s.add(head(middle, look));
+        // Behind the head, up to the arm.
+        let back = middle - Vec3::X * 0.16;
+        s.add(bracket(back - Vec3::Z * 0.3, back.with_z(end.z - 0.04), look));
     }
     s
 }

@@ -55,6 +55,7 @@ fn furniture_has_the_sizes_of_the_real_things() {
         (Prop::HighMast, 18.0, 30.0),
         (Prop::CrowdedPole, 8.0, 11.0),
         (Prop::SpanSignal, 5.5, 9.0),
+        (Prop::SignalCurvedMast, 5.7, 6.3),
         (Prop::TrafficSign, 2.2, 3.2),
         (Prop::StreetName, 2.1, 3.3),
         (Prop::GuideSign, 3.0, 6.0),
@@ -108,7 +109,7 @@ fn lamps_have_lenses_and_lights_have_all_their_colours() {
             assert!(surfaces(prop, variant).contains(&Surface::LampLens), "{prop:?} {variant}");
         }
     }
-    for prop in [Prop::SignalPole, Prop::SignalMast, Prop::SpanSignal, Prop::CycleSignal] {
+    for prop in [Prop::SignalPole, Prop::SignalMast, Prop::SignalCurvedMast, Prop::SpanSignal, Prop::CycleSignal] {
         let lenses = surfaces(prop, 0).iter().filter(|s| matches!(s, Surface::SignalLens(_))).count();
         assert_eq!(lenses, 3, "{prop:?}");
     }

@@ -37,6 +37,7 @@ impl MapLayer {
                 Some(
                     Prop::SignalPole
                     | Prop::SignalMast
+                    | Prop::SignalCurvedMast
                     | Prop::SpanSignal
                     | Prop::WalkSignal
                     | Prop::CycleSignal

@@ -25,7 +25,7 @@ const MOST_SKY: f32 = 0.34;
 /// What things near the lens may take of a picture; more of a share of pictures.
 const MOST_HIDDEN: f32 = 0.04;
 const MOST_OBSTRUCTED: f32 = 0.12;
-const OBSTRUCTED: f64 = 0.25;
+const OBSTRUCTED: f64 = 0.4;
 /// Least weight of places of people in a picture of a square or a park.
 const LEAST_PEOPLE: f32 = 4.0;
 /// Least weight of places of vehicles and people in any picture.

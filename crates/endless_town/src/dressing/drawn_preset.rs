@@ -19,9 +19,12 @@ const WITH_PALMS: f64 = 0.25;
 const BUS_LANES: f64 = 0.25;
 const BUS_LANE_COLORS: [[f32; 3]; 4] = [[0.28, 0.07, 0.05], [0.07, 0.17, 0.10], [0.34, 0.22, 0.07], [0.05, 0.12, 0.28]];
 
-/// Share of towns whose crossings have signals of their own, and of those with a second light at each approach.
-const WALK_SIGNALS: f64 = 0.75;
-const REPEATERS: f64 = 0.4;
+/// Share of towns whose crossings have signals of their own, of those with a second light at each approach, and of those
+/// with lights over all roads; poles that bend among what carries these.
+const WALK_SIGNALS: f64 = 0.85;
+const REPEATERS: f64 = 0.6;
+const MASTS_EVERYWHERE: f64 = 0.5;
+const CURVED_MASTS: f64 = 0.5;
 /// Towns with nothing at the kerbs of corners, with rails, with bollards.
 const KERB_GUARDS: [f64; 3] = [0.45, 0.3, 0.25];
 
@@ -65,6 +68,10 @@ impl DrawnPreset {
         preset.old_paint = share(0.6, 0.5);
         preset.walk_signals = random.chance(WALK_SIGNALS);
         preset.signal_repeaters = random.chance(REPEATERS);
+        preset.masts_everywhere = random.chance(MASTS_EVERYWHERE);
+        if random.chance(CURVED_MASTS) {
+            preset.signal_mast = Prop::SignalCurvedMast;
+        }
         preset.kerb_guard = [None, Some(Prop::KerbRail), Some(Prop::Bollard)][random.weighted(&KERB_GUARDS)];
         preset.street_signs =
             random.chance(WITH_SIGNS).then(|| *random.pick(&[SignStandard::Vienna, SignStandard::Mutcd]));

@@ -58,6 +58,9 @@ pub(crate) struct TownPreset {
     /// Crossings with signals show them, and a second light stands on the other side of approaches.
     pub(crate) walk_signals: bool,
     pub(crate) signal_repeaters: bool,
+    /// What carries lights over roads of several lanes, or over all.
+    pub(crate) signal_mast: Prop,
+    pub(crate) masts_everywhere: bool,
     /// Whose signs stand in the streets beside those of the map.
     pub(crate) street_signs: Option<SignStandard>,
     /// What stands at the kerbs of corners: rails or bollards.
@@ -89,6 +92,8 @@ impl Default for TownPreset {
             life: StreetLife::default(),
             walk_signals: false,
             signal_repeaters: false,
+            signal_mast: Prop::SignalMast,
+            masts_everywhere: false,
             street_signs: None,
             kerb_guard: None,
             old_paint: 0.0,

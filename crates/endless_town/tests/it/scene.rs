@@ -426,6 +426,7 @@ fn is_low(prop: Prop) -> bool {
             | Prop::UtilityPole
             | Prop::CrowdedPole
             | Prop::SignalMast
+            | Prop::SignalCurvedMast
             | Prop::Flagpole
     )
 }

@@ -16,6 +16,7 @@ use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
 use crate::geometry::{OccupiedSpace, Rect, inside, unit};
 use endless_road::{LandUse, Lane, RoadNetwork};
+use endless_world::math::lerp;
 use endless_world::{CameraSite, Stream};
 use glam::{Affine3A, DVec2, Quat};
 
@@ -282,7 +283,7 @@ impl BuildingGrowth<'_> {
         let depth = 2.0 * rect.half.y;
         let local = [(-half, 0.0), (half, 0.0), (half, depth), (-half, depth)].map(|(x, y)| DVec2::new(x, y));
         let mut stream = Stream::named(seed, "town/building", &[]);
-        let color = self.preset.bright.then(|| *stream.pick(BRIGHT));
+        let color = (self.preset.bright && is_painted(&dimensions)).then(|| faded(&mut stream));
         // Terraces stand wall to wall.
         let wall_to_wall = dimensions.kind == BuildingKind::Terrace;
         let blind = [false, wall_to_wall, false, wall_to_wall];
@@ -298,4 +299,21 @@ impl BuildingGrowth<'_> {
         let solid = BuildingPrism { outline: rect.corners().to_vec(), base, top: base + f64::from(top) };
         PlacedBuilding { mesh, place: Affine3A::from_rotation_translation(turn, front.extend(base).as_vec3()), solid }
     }
+}
+
+/// Whether a building gets a bright colour where houses are bright: large ones have the colours of their materials.
+fn is_painted(dimensions: &BuildingDimensions) -> bool {
+    let low = matches!(
+        dimensions.kind,
+        BuildingKind::House | BuildingKind::Terrace | BuildingKind::Shop | BuildingKind::Flats
+    );
+    low && dimensions.storeys <= 5
+}
+
+/// One of the bright colours, bleached by the sun for longer or shorter.
+fn faded(stream: &mut Stream) -> [f32; 3] {
+    const BLEACHED: [f32; 3] = [0.62, 0.60, 0.56];
+    let paint = *stream.pick(BRIGHT);
+    let share = stream.range_f32(0.0, 0.6);
+    std::array::from_fn(|k| lerp(paint[k], BLEACHED[k], share))
 }

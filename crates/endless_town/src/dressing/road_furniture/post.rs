@@ -173,8 +173,9 @@ impl RoadsidePosts<'_> {
     fn head_at_stop_line(&self, assembly: &mut TownAssembly<'_>, lane: &Lane, signal: SignalId) {
         let length = lane.centerline.length();
         let yaw = lane.centerline.at(length).heading_rad + PI;
-        let wide = !self.map.left_hand && (lane.left.is_some() || lane.right.is_some());
-        let prop = if wide { Prop::SignalMast } else { Prop::SignalPole };
+        let wide = self.preset.masts_everywhere || lane.left.is_some() || lane.right.is_some();
+        // Their arms reach to the left.
+        let prop = if wide && !self.map.left_hand { self.preset.signal_mast } else { Prop::SignalPole };
         let repeater = self.preset.signal_repeaters.then_some((Prop::SignalPole, -self.side()));
         for (prop, side) in [Some((prop, self.side())), repeater].into_iter().flatten() {
             let places = [0.2, 1.2, 2.4, 4.0].into_iter().flat_map(|back| [(back, POST_M), (back, 1.2)]);
