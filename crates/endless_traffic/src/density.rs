@@ -33,7 +33,7 @@ impl TrafficMap {
     /// weather.
     pub fn asked(&self, focus: &Focus, settings: &SceneSettings) -> [u32; 2] {
         let SceneSettings { vehicles, pedestrians, density, .. } = settings;
-        let out = shares(settings.weather, settings.time_of_day);
+        let out = shares(settings.weather, settings.time_of_day, settings.sun_elevation_deg.is_some());
         let follows = |density: Option<TrafficDensity>, kind: usize| {
             density.map_or(0, |d| (f64::from(self.population(focus, d)[kind]) * out[kind]).round() as u32)
         };

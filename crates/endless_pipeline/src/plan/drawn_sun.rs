@@ -7,8 +7,8 @@ use endless_world::{PerVideo, Stream, TimeOfDay};
 const MORNING_SUN_DEG: [f32; 2] = [1.0, 35.0];
 /// Of afternoons: from that of a winter's day to that of a noon in summer.
 const AFTERNOON_SUN_DEG: [f32; 2] = [15.0, 70.0];
-/// Of dusk and dawn: little more than civil twilight, which ends at -6.
-const TWILIGHT_SUN_DEG: [f32; 2] = [-8.0, -1.0];
+/// Of dusk and dawn: civil twilight, which ends at -6.
+const TWILIGHT_SUN_DEG: [f32; 2] = [-6.0, -0.5];
 /// Share of nights that are dusk or dawn; the others are dark.
 const TWILIGHTS: f64 = 0.5;
 
@@ -54,7 +54,7 @@ mod tests {
         for (time, [low, high], drawn) in [
             (TimeOfDay::Morning, [1.0, 35.0], 1.0),
             (TimeOfDay::Afternoon, [15.0, 70.0], 1.0),
-            (TimeOfDay::Night, [-8.0, -1.0], 0.5),
+            (TimeOfDay::Night, [-6.0, -0.5], 0.5),
         ] {
             let suns: Vec<f32> = (0..2000).filter_map(|video| elevation_deg(&recipe, video, time)).collect();
             assert!((suns.len() as f64 / 2000.0 - drawn).abs() < 0.04, "{time}: {} are drawn", suns.len());

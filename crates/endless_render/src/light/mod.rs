@@ -10,6 +10,7 @@ mod halo_grid;
 mod lamp_maps;
 mod lamps;
 mod sky;
+mod twilight;
 
 pub use beams::{BeamKind, VehicleBeam};
 pub(crate) use dusk_switch::lamp_power;

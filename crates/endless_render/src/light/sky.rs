@@ -3,9 +3,9 @@
 //! Clear sky: single scattering in an exponential Rayleigh and Mie atmosphere (Nishita, Sirai, Tadamura, Nakamae 1993),
 //! with the air of Bruneton and Neyret 2008 and the aerosols of Preetham, Shirley and Smits 1999, plus a uniform share of
 //! the light for the further orders of scattering that the integral leaves out. Overcast sky: the CIE standard overcast luminance distribution
-//! (Moon and Spencer 1942). Radiance in kcd/m² per linear RGB channel.
+//! (Moon and Spencer 1942). Twilight: its colours are those of [`twilight`]. Radiance in kcd/m² per linear RGB channel.
 
-use super::clouds::CloudLayer;
+use super::{clouds::CloudLayer, twilight};
 use crate::vec3x8::{Vec3x8, dot, normalize, side_by_side, splat};
 use crate::{exact8, math8};
 use endless_world::math;
@@ -160,7 +160,7 @@ fn direction_of(column: f32, row: f32) -> Vec3A {
 impl SkyParameters {
     fn radiance8(&self, directions: &[Vec3A; 8]) -> [Vec3A; 8] {
         let clear = if self.overcast < 1.0 {
-            single_scattering(directions, self.sun_direction, self.turbidity)
+            clear_sky(directions, self.sun_direction, self.turbidity)
         } else {
             [Vec3A::ZERO; 8]
         };
@@ -240,6 +240,19 @@ pub(crate) fn sun_transmittance(sun_direction: Vec3A, turbidity: f32) -> Vec3A {
     let (rayleigh, mie) = optical_depth(&ground(), &splat(sun_direction), 32);
     let [r, g, b] = extinction(rayleigh, mie, turbidity).map(|channel| channel.to_array()[0]);
     Vec3A::new(r, g, b)
+}
+
+/// Radiance of the sky without clouds.
+fn clear_sky(directions: &[Vec3A; 8], sun: Vec3A, turbidity: f32) -> [Vec3A; 8] {
+    let dusk = twilight::share(sun);
+    let mut light = if dusk < 1.0 { single_scattering(directions, sun, turbidity) } else { [Vec3A::ZERO; 8] };
+    if dusk > 0.0 {
+        let raised = single_scattering(&directions.map(twilight::above_rim), sun, turbidity);
+        for (i, light) in light.iter_mut().enumerate() {
+            *light = light.lerp_unfused(twilight::coloured(directions[i], sun, raised[i]), dusk);
+        }
+    }
+    light
 }
 
 fn single_scattering(directions: &[Vec3A; 8], sun: Vec3A, turbidity: f32) -> [Vec3A; 8] {
