@@ -180,6 +180,7 @@ impl RandomRegion {
             palms: self.palms,
             wires: self.wires,
             bright: self.bright,
+            bleached: true,
             yards: self.yards,
             ..TownPreset::default()
         }

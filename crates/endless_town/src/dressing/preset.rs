@@ -47,6 +47,8 @@ pub(crate) struct TownPreset {
     pub(crate) wires: bool,
     /// Low houses have flat roofs and bright colours.
     pub(crate) bright: bool,
+    /// The sun has bleached these colours, and large houses have none.
+    pub(crate) bleached: bool,
     /// Maize grows on the fields.
     pub(crate) maize: bool,
     /// Ground between houses is paved where roads are many.
@@ -86,6 +88,7 @@ impl Default for TownPreset {
             zones: Vec::new(),
             wires: false,
             bright: false,
+            bleached: false,
             maize: false,
             yards: false,
             green_yards: 0.0,

@@ -283,7 +283,11 @@ impl BuildingGrowth<'_> {
         let depth = 2.0 * rect.half.y;
         let local = [(-half, 0.0), (half, 0.0), (half, depth), (-half, depth)].map(|(x, y)| DVec2::new(x, y));
         let mut stream = Stream::named(seed, "town/building", &[]);
-        let color = (self.preset.bright && is_painted(&dimensions)).then(|| faded(&mut stream));
+        let color = match (self.preset.bright, self.preset.bleached) {
+            (false, _) => None,
+            (true, false) => Some(*stream.pick(BRIGHT)),
+            (true, true) => is_low(&dimensions).then(|| faded(&mut stream)),
+        };
         // Terraces stand wall to wall.
         let wall_to_wall = dimensions.kind == BuildingKind::Terrace;
         let blind = [false, wall_to_wall, false, wall_to_wall];
@@ -301,8 +305,8 @@ impl BuildingGrowth<'_> {
     }
 }
 
-/// Whether a building gets a bright colour where houses are bright: large ones have the colours of their materials.
-fn is_painted(dimensions: &BuildingDimensions) -> bool {
+/// Whether a building is a house, or as low as one: large ones have the colours of their materials.
+fn is_low(dimensions: &BuildingDimensions) -> bool {
     let low = matches!(
         dimensions.kind,
         BuildingKind::House | BuildingKind::Terrace | BuildingKind::Shop | BuildingKind::Flats
