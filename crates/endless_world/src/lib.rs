@@ -48,6 +48,7 @@ mod rig;
 mod rng;
 mod scene;
 mod scene_camera;
+mod scene_sun;
 mod scene_weather;
 mod sensor;
 mod state;

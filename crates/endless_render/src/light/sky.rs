@@ -249,7 +249,9 @@ fn clear_sky(directions: &[Vec3A; 8], sun: Vec3A, turbidity: f32) -> [Vec3A; 8] 
     if dusk > 0.0 {
         let raised = single_scattering(&directions.map(twilight::above_rim), sun, turbidity);
         for (i, light) in light.iter_mut().enumerate() {
-            *light = light.lerp_unfused(twilight::coloured(directions[i], sun, raised[i]), dusk);
+            let hue = twilight::hue(directions[i], sun);
+            let coloured = hue * (raised[i].dot(LUMINANCE) / hue.dot(LUMINANCE));
+            *light = light.lerp_unfused(coloured, dusk);
         }
     }
     light
@@ -353,6 +355,18 @@ mod tests {
     fn overcast_sky_gives_its_illuminance() {
         let sky = Sky::new(&SkyParameters { overcast: 1.0, overcast_klx: 10.0, ..clear(0.5) });
         assert!((luminance(sky.horizontal_illuminance()) - 10.0).abs() < 0.2);
+    }
+
+    #[test]
+    fn twilight_darkens_without_a_jump_and_has_no_black_rim() {
+        let mean = |degrees: f32| luminance(Sky::new(&clear(degrees.to_radians())).mean);
+        for degrees in [3.0, 1.0, 0.0, -2.0, -5.0] {
+            let [before, after] = [mean(degrees + 0.3), mean(degrees)];
+            assert!((0.6..1.0).contains(&(after / before)), "{degrees}: {before} {after}");
+        }
+        let sky = Sky::new(&clear(-3f32.to_radians()));
+        let [rim, above] = [0.01, 0.3].map(|z| luminance(sky.radiance(Vec3A::new(0.0, 1.0, z).normalize())));
+        assert!(rim > 0.6 * above, "{rim} {above}");
     }
 
     #[test]
