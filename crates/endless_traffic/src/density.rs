@@ -3,7 +3,7 @@
 use crate::outing::shares;
 use crate::{Focus, TrafficMap};
 use endless_road::WalkKind;
-use endless_world::{SceneSettings, TrafficDensity};
+use endless_world::{DrawnSun, SceneSettings, TrafficDensity};
 
 /// The lane that a vehicle has where cameras look and the sidewalk that a person has, metres; and on the rest of the map,
 /// kilometres. Where people look, the mean spacing is that of the level of service: B to C of light traffic, D of a working
@@ -33,7 +33,7 @@ impl TrafficMap {
     /// weather.
     pub fn asked(&self, focus: &Focus, settings: &SceneSettings) -> [u32; 2] {
         let SceneSettings { vehicles, pedestrians, density, .. } = settings;
-        let out = shares(settings.weather, settings.time_of_day, settings.sun_elevation_deg.is_some());
+        let out = shares(settings.weather, settings.time_of_day, DrawnSun::of(settings).is_some());
         let follows = |density: Option<TrafficDensity>, kind: usize| {
             density.map_or(0, |d| (f64::from(self.population(focus, d)[kind]) * out[kind]).round() as u32)
         };
