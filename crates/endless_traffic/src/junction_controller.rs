@@ -42,6 +42,8 @@ const DETOUR_S: f64 = 15.0;
 /// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
 const HELD_UP_S: f64 = 4.0;
 
+/// Slower than this somebody at a line waits there, m/s.
+const WAITS_MPS: f64 = 0.3;
 /// Slower than this nobody has got off yet, m/s.
 const CREEPS_MPS: f64 = 1.0;
 /// Who has it and has stood this long behind somebody who got it later lets others go first, seconds; those may be so near, metres.
@@ -93,11 +95,11 @@ impl JunctionController {
         for (i, vehicle) in vehicles.iter_mut().enumerate() {
             match request(roads, signals, vehicle, i) {
                 Some(request) => {
-                    let waits = vehicle.speed < 0.3 && request.at_the_line();
+                    let waits = vehicle.speed < WAITS_MPS && request.at_the_line();
                     vehicle.waited_s = if waits { vehicle.waited_s + step_s } else { 0.0 };
                     requests.push(EntryRequest { waited_s: vehicle.waited_s, ..request });
                 }
-                None => vehicle.waited_s = 0.0,
+                None => vehicle.waited_s = if stands_with_turn(vehicle) { vehicle.waited_s + step_s } else { 0.0 },
             }
             let is_there = vehicle.waited_s > 0.0 || vehicle.stuck_s > 0.0;
             vehicle.stuck_s = if is_there && vehicle.speed < CREEPS_MPS { vehicle.stuck_s + step_s } else { 0.0 };
@@ -332,6 +334,13 @@ fn is_waited_for(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], req
         })
     };
     request.waited_s > CHANCE_S && last().and_then(|last| vehicles.get(last.vehicle)).is_some_and(waits_for_me)
+}
+
+/// Whether somebody who waited at a line has the right of way now, and has not got off yet: who loses it again has waited all the
+/// while, or those who come later would go first again and again.
+fn stands_with_turn(vehicle: &Vehicle) -> bool {
+    let has_turn = vehicle.rights_of_way.iter().any(|right_of_way| !right_of_way.entered);
+    has_turn && vehicle.waited_s > 0.0 && vehicle.speed < WAITS_MPS
 }
 
 /// Whether nobody stands where a long vehicle sweeps that turns on these lanes: who has had the right of way and lost it may

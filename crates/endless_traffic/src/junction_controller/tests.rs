@@ -190,3 +190,16 @@ fn room_is_kept_for_who_has_waited_and_is_held_by_a_light() {
     let length_m = f64::from(VehicleSpec::default().length_m);
     assert_eq!([STARVES_S - 1.0, STARVES_S + 1.0].map(kept_m), [0.0, length_m + SPARE_M]);
 }
+
+#[test]
+fn who_has_the_right_of_way_for_a_moment_and_stands_has_waited_all_the_while() {
+    let roads = streets();
+    let waits_on = |speed: f64, entered: bool| {
+        let mut vehicles = [Vehicle { waited_s: 10.0, speed, ..stands(&roads, 2, 1.0) }];
+        vehicles[0].rights_of_way.push(RightOfWay { entered, ..right_of_way(1, 1, 3, 4, 1.0) });
+        stands_with_turn(&vehicles[0])
+    };
+    assert!(waits_on(0.0, false));
+    assert!(!waits_on(2.0, false), "it gets off");
+    assert!(!waits_on(0.0, true), "it is in the junction");
+}
