@@ -23,6 +23,8 @@ pub(crate) struct Occupant {
     pub(crate) queues: bool,
     /// Whether it passes those in a queue.
     pub(crate) filters: bool,
+    /// Whether it reaches over here from the lane beside, which is its own.
+    pub(crate) reaches_over: bool,
 }
 
 impl Occupant {
@@ -112,12 +114,20 @@ impl Occupancy {
             let (across, queues) = (vehicle.across(), filtering::queues(vehicle));
             let filters = vehicle.filtering.is_some();
             for LaneCover { lane, rear, front } in scratch.iter().copied() {
-                let occupant = Occupant { vehicle: i, rear, front, speed: vehicle.speed, across, queues, filters };
+                let speed = vehicle.speed;
+                let occupant =
+                    Occupant { vehicle: i, rear, front, speed, across, queues, filters, reaches_over: false };
                 self.lanes[lane.index()].push(occupant);
                 if let Some(beside) = filtering::lane_beside(roads, vehicle, lane) {
                     let along = if lane == vehicle.lane() { beside.s - vehicle.s } else { 0.0 };
                     let (rear, front, across) = (rear + along, front + along, beside.seen(across));
-                    self.lanes[beside.lane.index()].push(Occupant { rear, front, across, ..occupant });
+                    self.lanes[beside.lane.index()].push(Occupant {
+                        rear,
+                        front,
+                        across,
+                        reaches_over: true,
+                        ..occupant
+                    });
                 }
             }
         }
@@ -129,7 +139,8 @@ impl Occupancy {
     pub(crate) fn put(&mut self, vehicle: usize, cover: LaneCover, speed: f64) {
         let LaneCover { lane, rear, front } = cover;
         let across = Across::WHOLE;
-        let occupant = Occupant { vehicle, rear, front, speed, across, queues: false, filters: false };
+        let [queues, filters, reaches_over] = [false; 3];
+        let occupant = Occupant { vehicle, rear, front, speed, across, queues, filters, reaches_over };
         self.lanes[lane.index()].push(occupant);
     }
 
@@ -203,7 +214,8 @@ impl Occupancy {
             }
             let gap = base + o.rear - me.half_length;
             let leader = Leader { vehicle: o.vehicle, gap, speed: o.speed };
-            if same_queue && o.queues && filtering::passes(me, across, &o.across, gap) {
+            let passes = same_queue && o.queues && filtering::passes(me, across, &o.across, gap);
+            if passes || filtering::goes_past(me, across, o) {
                 let pace = pace_past(o.speed, gap);
                 found.pace_mps = Some(found.pace_mps.map_or(pace, |least: f64| least.min(pace)));
                 found.passed_m = Some(found.passed_m.map_or(gap, |nearest: f64| nearest.min(gap)));

@@ -27,7 +27,7 @@ mod way;
 
 pub(crate) use habit::rides_past_queues;
 pub(crate) use lane_beside::lane_beside;
-pub(crate) use precedence::{is_beside, lets_go_first, passes, queues};
+pub(crate) use precedence::{goes_past, is_beside, lets_go_first, passes, queues};
 pub(crate) use view::RiderView;
 pub(crate) use way::{Filtering, pace_past};
 

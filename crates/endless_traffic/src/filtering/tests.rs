@@ -164,6 +164,27 @@ fn who_passes_sees_the_queue_as_beside_and_the_queue_lets_it_go_first() {
 }
 
 #[test]
+fn a_queue_goes_past_riders_who_wait_over_its_line_for_the_way_of_the_lane_beside() {
+    let roads = street(2, 3.5);
+    let mut vehicles = vec![vehicle(&roads, 0, 1, 150.0, 4.0), vehicle(&roads, 1, 1, 190.0, 0.0)];
+    let started = way(&roads, &vehicles, RED).expect("room");
+    assert_eq!(started.straddles, Some(Side::Left));
+    let rider = Vehicle { filtering: Some(started), rolled: 42.0, s: 198.0, speed: 0.0, ..vehicles[0].clone() };
+    // Somebody comes behind it, on the left lane and then on its own.
+    let comes = [0, 1].map(|lane| vehicle(&roads, 1, lane, 190.0, 2.0));
+    let mut seen = |lane: usize, speed: f64| {
+        vehicles = vec![comes[lane].clone(), Vehicle { speed, ..rider.clone() }];
+        let mut occupancy = Occupancy::default();
+        occupancy.rebuild(&roads, &vehicles);
+        occupancy.leaders(&roads, &vehicles[0], 0, 100.0)
+    };
+    let passes = seen(0, 0.0);
+    assert!(passes.nearest().is_none() && passes.pace_mps.is_some(), "{passes:?}");
+    assert!(seen(0, 1.0).ahead.is_some(), "it sets off");
+    assert!(seen(1, 0.0).ahead.is_some(), "it is first in this queue");
+}
+
+#[test]
 fn who_cannot_get_past_a_bus_goes_back_into_the_queue() {
     let roads = street(2, 3.3);
     let mut vehicles = vec![vehicle(&roads, 0, 1, 150.0, 0.0), vehicle(&roads, 1, 1, 182.0, 0.0)];
