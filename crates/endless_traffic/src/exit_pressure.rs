@@ -8,6 +8,7 @@
 use crate::entry_request::{EntryRequest, STANDS_MPS};
 use crate::gridlock::queue_of;
 use crate::occupancy::Occupancy;
+use crate::queue_stand::longest_stands_s;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
@@ -16,7 +17,7 @@ use std::collections::BTreeMap;
 /// Queues one behind another that are looked at.
 const MOST_QUEUES: usize = 6;
 
-/// Of each request: the longest time that who asks, or the first of a queue that waits for one before it, has stood at the line,
+/// Of each request: the longest time that who asks, or somebody in the queue behind it or in one that waits for that, has stood,
 /// seconds.
 pub(crate) fn pressures_s(
     roads: &Roads,
@@ -24,7 +25,9 @@ pub(crate) fn pressures_s(
     vehicles: &[Vehicle],
     requests: &[EntryRequest],
 ) -> Vec<f64> {
-    let own_s: Vec<f64> = requests.iter().map(|r| vehicles[r.vehicle].stuck_s.max(r.waited_s)).collect();
+    let stands_s = longest_stands_s(roads, vehicles);
+    let behind_s = |r: &EntryRequest| stands_s.get(&r.before).copied().filter(|_| r.at_the_line()).unwrap_or(0.0);
+    let own_s: Vec<f64> = requests.iter().map(|r| behind_s(r).max(r.waited_s)).collect();
     let at_line = requests.iter().enumerate().filter(|(_, r)| r.at_the_line());
     let heads: BTreeMap<LaneId, usize> = at_line.map(|(k, r)| (r.before, k)).collect();
     // The first of the queue that one waits for to move.

@@ -101,8 +101,8 @@ impl JunctionController {
                 }
                 None => vehicle.waited_s = if stands_with_turn(vehicle) { vehicle.waited_s + step_s } else { 0.0 },
             }
-            let is_there = vehicle.waited_s > 0.0 || vehicle.stuck_s > 0.0;
-            vehicle.stuck_s = if is_there && vehicle.speed < CREEPS_MPS { vehicle.stuck_s + step_s } else { 0.0 };
+            let halts = vehicle.kerb_halt.is_some() || vehicle.order.is_some();
+            vehicle.stands_s = if !halts && vehicle.speed < CREEPS_MPS { vehicle.stands_s + step_s } else { 0.0 };
         }
         let pressures_s = pressures_s(roads, occupancy, vehicles, &requests);
         requests.iter_mut().zip(pressures_s).for_each(|(request, pressure_s)| request.pressure_s = pressure_s);

@@ -98,6 +98,7 @@ mod playback;
 mod population;
 mod pulling_out;
 mod queue_exit;
+mod queue_stand;
 mod queue_tail;
 mod queues;
 mod rerouting;

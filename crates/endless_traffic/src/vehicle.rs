@@ -124,8 +124,8 @@ pub(crate) struct Vehicle {
     pub(crate) pulls_out: bool,
     /// Seconds standing before a junction.
     pub(crate) waited_s: f64,
-    /// The same, whether it had the right of way for a moment or not, as long as it did not get off.
-    pub(crate) stuck_s: f64,
+    /// Seconds for which it has stood or crept, wherever, but at a halt of its own.
+    pub(crate) stands_s: f64,
     /// What an incident makes it do.
     pub(crate) order: Option<Order>,
     /// A halt at the kerb to come or under way.
@@ -189,7 +189,7 @@ impl Vehicle {
             queued_s: 0.0,
             pulls_out: false,
             waited_s: 0.0,
-            stuck_s: 0.0,
+            stands_s: 0.0,
             order: None,
             kerb_halt: None,
             rides_past_queues: false,

@@ -145,7 +145,7 @@ fn behind_a_short_piece(roads: &Roads, behind_s: f64) -> Vec<Vehicle> {
         .map(|(lane, to_end_m)| stands(roads, lane, to_end_m))
         .into();
     for (i, waited_s) in [(0, 4.0), (1, 60.0), (5, behind_s)] {
-        (vehicles[i].waited_s, vehicles[i].stuck_s) = (waited_s, waited_s);
+        (vehicles[i].waited_s, vehicles[i].stands_s) = (waited_s, waited_s);
     }
     vehicles
 }
