@@ -80,6 +80,7 @@ mod junction_controller;
 mod kerb_halt;
 mod kerb_halting;
 mod kerb_room;
+mod kerb_sweep;
 mod kinematics;
 mod lane_change;
 mod lane_choice;

@@ -2,6 +2,7 @@
 
 use crate::attraction::Attraction;
 use crate::focus::Focus;
+use crate::kerb_sweep::KerbSweeps;
 use crate::midblock::MidblockWays;
 use crate::overlap::{
     ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, SweptBeside, alongside, make_room, siblings,
@@ -173,12 +174,14 @@ impl TrafficMap {
             table.leads_back = turn_lane::leads_back(&network, lane);
         }
         let everybody = network.lanes_in_use(&borders);
+        let kerbs = KerbSweeps::new(&network, lanes.iter().map(|table| table.radius));
         let mut setbacks: Vec<f64> = lanes.iter().map(|table| table.setback).collect();
         let mut sweeps = vec![SweptBeside::default(); lanes.len()];
         let allowed = specs
             .iter()
             .map(|spec| {
                 let mut stays = wide_enough(&network, &lanes, &everybody, spec);
+                kerbs.forbid(spec, &mut stays);
                 if f64::from(spec.length_m) >= LONG_M {
                     make_room(&network, bodies, spec, &mut stays, &mut setbacks, &mut sweeps);
                 }
