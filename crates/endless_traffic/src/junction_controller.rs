@@ -31,6 +31,9 @@ const CHANCE_S: f64 = 40.0;
 const JOINS_RING_S: f64 = 75.0;
 /// Room is kept for who has waited at the line for so long, or has somebody behind it who has, seconds.
 const STARVES_S: f64 = 20.0;
+/// For who needs more room than most, and has waited for a light's whole cycle, the road beyond stays empty if it would not hold
+/// another one, too, seconds.
+const RESERVES_S: f64 = 60.0;
 /// They follow a queue that moves off, as if it went on for so long, seconds.
 const MOVES_ON_S: f64 = 4.0;
 /// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
@@ -195,6 +198,7 @@ impl JunctionController {
             0.0
         };
         let kept = kept_free_m(vehicles, requests, request);
+        let mut reserved = is_reserved(vehicles, requests, request);
         let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left + kept;
         let mut behind = Some(request.junction);
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
@@ -226,7 +230,8 @@ impl JunctionController {
                 }
             }
             let most = length - 0.5;
-            if free < needed.min(most) {
+            let holds_both = most >= needed || !std::mem::take(&mut reserved);
+            if free < needed.min(most) || !holds_both {
                 return false;
             }
             // Who has waited long takes the chance, or never would where one short road follows another.
@@ -358,10 +363,23 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
 /// who asks, metres: where there is room for few, and lights let others go first whenever there is any, they would never get on.
 /// Nobody keeps it for those behind or beside them, who wait until they have gone.
 fn kept_free_m(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> f64 {
+    let starving = longest_starving(requests, request);
+    starving.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
+}
+
+/// Who has waited longest to get where somebody else would go from another road, for long, and longer than they.
+fn longest_starving<'a>(requests: &'a [EntryRequest], request: &EntryRequest) -> Option<&'a EntryRequest> {
     let starves = |r: &&EntryRequest| r.pressure_s > STARVES_S.max(request.pressure_s) && r.at_the_line();
     let there = requests.iter().filter(|r| r.exit == request.exit && r.before != request.before);
-    let longest = there.filter(starves).max_by(|a, b| a.pressure_s.total_cmp(&b.pressure_s));
-    longest.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
+    there.filter(starves).max_by(|a, b| a.pressure_s.total_cmp(&b.pressure_s))
+}
+
+/// Whether the room beyond is for a long vehicle that has waited so long for it that others leave all of it: on a short piece of
+/// road there is hardly ever as much when its light is green.
+fn is_reserved(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> bool {
+    longest_starving(requests, request).is_some_and(|starving| {
+        starving.pressure_s > RESERVES_S && 2.0 * vehicles[starving.vehicle].half_length + SPARE_M > ANOTHER_M
+    })
 }
 
 /// Whether the vehicle directly ahead on the approach, whose line is `distance` metres from the front bumper, has the right of

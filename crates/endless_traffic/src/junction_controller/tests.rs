@@ -203,3 +203,18 @@ fn who_has_the_right_of_way_for_a_moment_and_stands_has_waited_all_the_while() {
     assert!(!waits_on(2.0, false), "it gets off");
     assert!(!waits_on(0.0, true), "it is in the junction");
 }
+
+#[test]
+fn a_long_vehicle_that_has_waited_for_a_whole_cycle_has_all_the_room_kept() {
+    let roads = streets();
+    let mut vehicles = behind_a_short_piece(&roads, 0.0);
+    let mut reserved = |length_m: f64, waited_s: f64| {
+        vehicles[1].half_length = 0.5 * length_m;
+        let mut requests = [0, 1].map(|i| request(&roads, &[], &vehicles[i], i).expect("before a junction"));
+        (requests[1].pressure_s, requests[1].held) = (waited_s, true);
+        is_reserved(&vehicles, &requests, &requests[0])
+    };
+    assert!(reserved(7.1, RESERVES_S + 1.0));
+    assert!(!reserved(7.1, RESERVES_S - 1.0), "not for long");
+    assert!(!reserved(4.5, RESERVES_S + 1.0), "there will be room for a car");
+}
