@@ -13,7 +13,7 @@ use crate::gridlock;
 use crate::occupancy::{Leader, Occupancy};
 use crate::overlap::SweptApproach;
 use crate::queue_tail::{Queued, queue_tail_m};
-use crate::roads::Roads;
+use crate::roads::{Roads, WIDE_M};
 use crate::vehicle::{RightOfWay, Vehicle};
 use endless_road::swept::LONG_M;
 use endless_road::{JunctionId, LaneId, TrafficControl, Turn};
@@ -355,7 +355,7 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
         let from = roads.table(swept.lane).length - swept.last_m;
         occupancy.on(swept.lane).iter().any(|o| o.front > from && o.speed < STANDS_MPS)
     };
-    2.0 * me.half_length < LONG_M
+    (2.0 * me.half_length < LONG_M && 2.0 * me.half_width < WIDE_M)
         || !lanes.iter().any(|&lane| roads.table(lane).sweeps.approaches.iter().any(stands_there))
 }
 

@@ -26,6 +26,9 @@ const BEND_WINDOWS_M: [f64; 4] = [4.0, 8.0, 16.0, 24.0];
 /// Braking planned before a bend, m/s².
 const PLANNED_BRAKING: f64 = 1.3;
 
+/// Wider models are asked where they fit as if they were long: they fill a narrow lane, and in bends more than it, metres.
+pub(crate) const WIDE_M: f64 = 2.2;
+
 /// How fast one may be so far before a place that is passed at a speed, m/s and metres.
 pub(crate) fn fastest_before(passed_mps: f64, distance_m: f64) -> f64 {
     (passed_mps * passed_mps + 2.0 * PLANNED_BRAKING * distance_m).sqrt()
@@ -182,7 +185,7 @@ impl TrafficMap {
             .map(|spec| {
                 let mut stays = wide_enough(&network, &lanes, &everybody, spec);
                 kerbs.forbid(spec, &mut stays);
-                if f64::from(spec.length_m) >= LONG_M {
+                if f64::from(as_asked(spec).length_m) >= LONG_M {
                     make_room(&network, bodies, spec, &mut stays, &mut setbacks, &mut sweeps);
                 }
                 lanes_that_lead_on(&network, &borders, stays)
@@ -226,11 +229,17 @@ impl RoadTables {
 
 /// The lanes on which a model fits, without bends too tight for it.
 fn wide_enough(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], spec: &VehicleSpec) -> Vec<bool> {
-    let fitting =
-        network.lanes.iter().zip(lanes).map(|(lane, table)| {
-            fits(network, lane, table.radius, spec) && leaves_oncoming_room(lane, table.radius, spec)
-        });
+    let spec = as_asked(spec);
+    let fitting = network.lanes.iter().zip(lanes).map(|(lane, table)| {
+        fits(network, lane, table.radius, &spec) && leaves_oncoming_room(lane, table.radius, &spec)
+    });
     fitting.zip(everybody).map(|(fits, &stays)| fits && stays).collect()
+}
+
+/// A model as it is asked whether it fits: a short one that is wide as the shortest of those that do not fit everywhere.
+fn as_asked(spec: &VehicleSpec) -> VehicleSpec {
+    let wide = f64::from(spec.width_m) > WIDE_M;
+    VehicleSpec { length_m: if wide { spec.length_m.max(LONG_M as f32) } else { spec.length_m }, ..spec.clone() }
 }
 
 /// The lanes among these on which one can drive for ever or until one leaves the map.
@@ -269,4 +278,24 @@ fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
     }
     let radius = smallest_radius_m(line);
     LaneTable { length, junction: lane.junction, profile, radius, ..LaneTable::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_road::Lane;
+    use glam::DVec3;
+
+    #[test]
+    fn a_short_model_that_is_wide_keeps_off_narrow_lanes() {
+        let drives = |lane_m: f64, length_m: f32, width_m: f32| {
+            let line = Polyline::new([DVec3::ZERO, 100.0 * DVec3::X]);
+            let network =
+                RoadNetwork { lanes: vec![Lane::new(LaneId(0), line, lane_m, 13.9)], ..RoadNetwork::default() };
+            let spec = VehicleSpec { length_m, width_m, ..VehicleSpec::default() };
+            wide_enough(&network, &[table(&network, LaneId(0))], &[true], &spec)[0]
+        };
+        assert!(!drives(2.7, 5.9, 2.47) && drives(3.1, 5.9, 2.47));
+        assert!(drives(2.7, 5.9, 2.0), "it is no wider than a van");
+    }
 }
