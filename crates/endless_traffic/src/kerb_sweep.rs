@@ -1,8 +1,9 @@
-//! Turns in which a vehicle's front would sweep over a sidewalk.
+//! Turns in which a vehicle would sweep over a sidewalk.
 //!
-//! Beyond a tight turn onto a narrow street the front corner reaches further out than the lane, over the kerb, where people walk:
-//! designers of junctions draw the swept path of a design vehicle for that (AASHTO 2018, "A Policy on Geometric Design of Highways and
-//! Streets", chapter 2). Here each model is driven through the turn once, and stays away from it where it would touch somebody.
+//! Beyond a tight turn onto a narrow street the front corner reaches further out than the lane, over the kerb, where people walk, and
+//! the rear wheels cut the corner, so that the side reaches over the kerb within the turn: designers of junctions draw the swept path
+//! of a design vehicle for that (AASHTO 2018, "A Policy on Geometric Design of Highways and Streets", chapter 2). Here each model is
+//! driven through the turn once, and stays away from it where it would touch somebody.
 
 use endless_road::swept::{DRAWBAR, SWINGS_OUT_M, towed_heading};
 use endless_road::{Lane, RoadNetwork, WalkKind};
@@ -19,6 +20,8 @@ const STEP_M: f64 = 0.5;
 const REACH_M: f64 = 4.0;
 /// Drivers keep within this beside the middle of their lane, and people within as much of their sidewalk's edge, metres.
 const BESIDE_M: f64 = 0.1;
+/// The sides of a body are looked at where they begin and end, and between so many pieces of them.
+const SIDE_PIECES: u32 = 4;
 
 /// A sidewalk: its axis, and half its width, metres.
 struct Strip {
@@ -84,7 +87,7 @@ impl Turning {
         room_m.is_finite().then_some(Self { lane: lane.id.index(), way, strips, room_m })
     }
 
-    /// Whether the front of a model comes over a sidewalk. Where even who drives straight would, there is no kerb.
+    /// Whether the body of a model comes over a sidewalk. Where even who drives straight would, there is no kerb.
     fn is_swept_by(&self, spec: &VehicleSpec) -> bool {
         let half_width_m = 0.5 * f64::from(spec.width_m);
         if self.room_m < half_width_m + BESIDE_M {
@@ -98,8 +101,11 @@ impl Turning {
             yaw = towed_heading(yaw, heading(step[1] - step[0]), step[0].distance(step[1]), drawbar_m);
             let (sin, cos) = sin_cos(yaw);
             let ahead = DVec2::new(cos, sin);
-            let corners = [-half_width_m, half_width_m].map(|left_m| step[1] + ahead * front_m + ahead.perp() * left_m);
-            corners.iter().any(|&corner| self.strips.iter().any(|strip| strip.away_m(corner) < BESIDE_M))
+            let sides = (0..=SIDE_PIECES).flat_map(|k| {
+                let along_m = front_m - f64::from(spec.length_m) * f64::from(k) / f64::from(SIDE_PIECES);
+                [-half_width_m, half_width_m].map(|left_m| step[1] + ahead * along_m + ahead.perp() * left_m)
+            });
+            sides.into_iter().any(|place| self.strips.iter().any(|strip| strip.away_m(place) < BESIDE_M))
         })
     }
 }
@@ -130,7 +136,8 @@ mod tests {
     use endless_world::ObjectClass;
     use glam::DVec3;
 
-    /// A turn to the right of this radius onto a street with a sidewalk on its left, so far from the middle of the lane.
+    /// A turn to the right of this radius onto a street with a sidewalk on its left, so far from the middle of the lane; on its right
+    /// where that is negative.
     fn corner(radius_m: f64, away_m: f64) -> RoadNetwork {
         let arc = (0..=18).map(|k| {
             let (sin, cos) = sin_cos((5.0 * f64::from(k)).to_radians());
@@ -143,7 +150,7 @@ mod tests {
         let lanes = vec![turn, Lane::new(LaneId(1), beyond, 3.1, 13.9)];
         let junctions = vec![Junction { lanes: vec![LaneId(0)], ..Junction::default() }];
         let mut network = RoadNetwork { lanes, junctions, ..RoadNetwork::default() };
-        network.walk.nodes = [0.0, -40.0].map(|y| DVec3::new(radius_m + away_m, y, 0.0)).to_vec();
+        network.walk.nodes = [-radius_m, -40.0].map(|y| DVec3::new(radius_m + away_m, y, 0.0)).to_vec();
         let nodes = [WalkNodeId(0), WalkNodeId(1)];
         network.walk.edges = vec![WalkEdge { nodes, width_m: 1.15, kind: WalkKind::Sidewalk }];
         network
@@ -175,6 +182,8 @@ mod tests {
         assert!(drives(7.5, 3.2, &lorry), "there is room");
         assert!(drives(20.0, 2.2, &lorry), "the turn is wide");
         assert!(drives(7.5, 2.2, &model(4.5, 1.8)), "short ones turn anywhere");
+        assert!(!drives(7.5, -2.2, &lorry), "its side reaches over the kerb within the turn");
+        assert!(drives(7.5, -3.2, &lorry), "there is room within it, too");
         assert!(drives(7.5, 1.5, &lorry), "there is no kerb where everybody would be on it");
     }
 }
