@@ -42,7 +42,8 @@ const MOST_ROADS: usize = 3;
 /// Who has waited for so long for room beyond a junction looks for another way, and again after as long, seconds: in a
 /// roundabout that is full, or around a block, all would wait for one another for ever.
 const DETOUR_S: f64 = 15.0;
-/// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
+/// Who has the right of way and has stood this long before the junction, while nobody passed who goes first, is held up by something
+/// else, seconds.
 const HELD_UP_S: f64 = 4.0;
 
 /// Slower than this somebody at a line waits there, m/s.
@@ -431,7 +432,9 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
         let mut rights_of_way = std::mem::take(&mut vehicles[i].rights_of_way);
         let vehicle = &vehicles[i];
         rights_of_way.retain_mut(|right_of_way| {
-            right_of_way.stood_s = if vehicle.speed < 0.05 { right_of_way.stood_s + step_s } else { 0.0 };
+            let lets_pass = || !right_of_way.entered && waits_for_who_passes(roads, vehicles, i, right_of_way);
+            let stands = vehicle.speed < 0.05 && !lets_pass();
+            right_of_way.stood_s = if stands { right_of_way.stood_s + step_s } else { 0.0 };
             if occupancy.covers_any(i, &right_of_way.lanes) {
                 right_of_way.entered = true;
                 return true;
@@ -457,6 +460,24 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
         });
         vehicles[i].rights_of_way = rights_of_way;
     }
+}
+
+/// Whether somebody drives through the junction who got the right of way earlier, and has not been where both pass yet: whoever waits
+/// for them is held up by nothing else, and would lose the turn as they are gone.
+fn waits_for_who_passes(roads: &Roads, vehicles: &[Vehicle], i: usize, mine: &RightOfWay) -> bool {
+    let passes = |them: &Vehicle| {
+        let first = them.right_of_way_at(mine.junction).filter(|theirs| theirs.entered && theirs.order < mine.order);
+        first.is_some_and(|theirs| {
+            let long = vehicles[i].long() || them.long();
+            let mut shared = mine.lanes.iter().flat_map(|&lane| roads.table(lane).conflicts(long));
+            shared.any(|conflict| {
+                let to_there =
+                    them.distance_to(roads, conflict.other).filter(|_| theirs.lanes.contains(&conflict.other));
+                to_there.is_some_and(|to_there| to_there + conflict.other_range.1 + them.half_length > 0.0)
+            })
+        })
+    };
+    vehicles.iter().any(|them| them.speed > STANDS_MPS && passes(them))
 }
 
 /// Takes it back from those behind somebody on the approach who has none, who lost it or changed lanes before them: would they

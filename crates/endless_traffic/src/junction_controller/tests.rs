@@ -96,6 +96,26 @@ fn who_turns_left_and_creeps_before_the_line_stops_at_red() {
 }
 
 #[test]
+fn who_waits_for_one_that_passes_keeps_the_right_of_way() {
+    let roads = streets();
+    // One at the line, and one in the junction on the street that crosses theirs.
+    let keeps = |speed: f64, theirs: u64, entered: bool, inside_m: f64| {
+        let mut vehicles = [stands(&roads, 2, 1.0), stands(&roads, 7, -inside_m)];
+        vehicles[0].rights_of_way.push(right_of_way(1, 2, 3, 4, HELD_UP_S));
+        vehicles[1].rights_of_way.push(RightOfWay { entered, ..right_of_way(1, theirs, 8, 9, 0.0) });
+        vehicles[1].speed = speed;
+        let occupancy = occupied(&roads, &vehicles);
+        release(&roads, &occupancy, &[SignalState { aspect: SignalAspect::Green }], &mut vehicles, 0.1);
+        !vehicles[0].rights_of_way.is_empty()
+    };
+    assert!(keeps(3.0, 1, true, 8.0));
+    assert!(!keeps(0.0, 1, true, 8.0), "it stands, and may wait for others");
+    assert!(!keeps(3.0, 3, true, 8.0), "it goes last");
+    assert!(!keeps(3.0, 1, false, -8.0), "it is not in the junction yet");
+    assert!(!keeps(3.0, 1, true, 33.0), "it has passed");
+}
+
+#[test]
 fn who_stands_behind_one_who_got_the_right_of_way_later_is_shut_in() {
     let roads = streets();
     // One behind the other before the line, and somebody on the street that crosses theirs.
