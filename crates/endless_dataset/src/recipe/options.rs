@@ -163,8 +163,8 @@ recipe_options! {
     /// colours, shops, trees, furniture and parked vehicles in each (docs/variety.md).
     town_seed: String => #[serde(default, skip_serializing_if = "PerVideo::is_fixed")] PerVideo,
         OptionKind::Word(Vocabulary::of::<PerVideo>()), Value("fixed");
-    /// Where cameras are: fixed, at the map's sites; drawn, at new places in every video, on poles, walls, roofs, gantries,
-    /// bridges and masts, with other lenses (docs/variety.md).
+    /// Where cameras are: fixed, at the map's sites; drawn, at new places in every video, on poles, traffic lights, walls, roofs,
+    /// gantries, bridges and masts, with other lenses (docs/variety.md).
     sites: String => #[serde(default, skip_serializing_if = "PerVideo::is_fixed")] PerVideo,
         OptionKind::Word(Vocabulary::of::<PerVideo>()), Value("fixed");
     /// What drawn cameras look at: street, junction, highway or square (where people are); maps that lack one show the others.

@@ -5,15 +5,16 @@ use super::lane_spot::{LaneSpot, TownView, log_between};
 use super::roadside::beside;
 use super::surroundings::{BuildingPrism, CameraSurroundings, OpenSpace};
 use crate::geometry::unit;
-use endless_road::Crossing;
+use endless_road::{Crossing, TrafficControl};
 use endless_world::math::f64::{atan, atan2};
 use endless_world::{CameraSite, LensModel, Mount, Stream, ViewSubject};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// Mounts by frequency where vehicles are filmed.
-const MOUNTS: [(Mount, f64); 6] = [
+const MOUNTS: [(Mount, f64); 7] = [
     (Mount::Pole, 0.26),
+    (Mount::TrafficLight, 0.12),
     (Mount::Wall, 0.1),
     (Mount::Roof, 0.12),
     (Mount::Gantry, 0.16),
@@ -98,8 +99,30 @@ impl<'s> MountDraw<'s> {
             Mount::Gantry => Some(over_road(Mount::Gantry, spot, [5.5, 7.5], [9.0, 90.0], random)),
             Mount::Bridge => Some(over_road(Mount::Bridge, spot, [6.0, 12.0], [4.0, 140.0], random)),
             Mount::Mast => self.on_mast(spot, random),
-            Mount::Pole | Mount::TrafficLight => self.on_pole(spot, random),
+            Mount::TrafficLight => self.on_traffic_light(spot, random),
+            Mount::Pole => self.on_pole(spot, random),
         }
+    }
+
+    /// Beside the traffic light of a lane, aimed at or across its junction.
+    fn on_traffic_light(&self, spot: LaneSpot<'_>, random: &mut Stream) -> Option<DrawnPlace> {
+        let lane = spot.lane;
+        if !matches!(lane.end_control, TrafficControl::Signal(_)) {
+            return None;
+        }
+        let length = lane.centerline.length();
+        let side = if random.chance(0.7) { -1.0 } else { 1.0 };
+        let back = random.range_f64(0.2, 5.0).min(length);
+        let roadside = beside(self.relief, &lane.centerline, length - back, lane.width_m, side)?;
+        let end = lane.centerline.at(length);
+        let ahead = unit(end.heading_rad + random.range_f64(-1.3, 1.3));
+        let aim = end.position.truncate() + ahead * log_between(7.0, 60.0, random);
+        let height = random.range_f64(4.5, 9.0);
+        let lens = roadside.foot + (aim - roadside.foot).normalize_or(DVec2::X) * 0.4;
+        let site =
+            aimed(lens.extend(roadside.ground + height), aim.extend(end.position.z), Mount::TrafficLight, random);
+        let pole = Some(roadside.foot.extend(roadside.ground));
+        Some(DrawnPlace { site, level: roadside.road_z, aim, pole, on_foot: false })
     }
 
     fn on_pole(&self, spot: LaneSpot<'_>, random: &mut Stream) -> Option<DrawnPlace> {
