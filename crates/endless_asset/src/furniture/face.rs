@@ -1,6 +1,7 @@
 //! What labels need to know of traffic lights and signs: where their heads, lenses and plates are in the object frame.
 
 use super::sign::FRONT;
+use super::signal_look::SignalLook;
 use super::{signal, signal_look};
 use crate::Prop;
 use endless_scene::{LensAspect, Mesh};
@@ -24,30 +25,38 @@ struct HeadDesign {
     low: Vec3,
     high: Vec3,
     /// Height of the lenses above the middle.
-    lenses: &'static [(LensAspect, f32)],
+    lenses: Vec<(LensAspect, f32)>,
     lens_radius_m: f32,
 }
 
-const VEHICLE: HeadDesign = HeadDesign {
-    low: Vec3::new(-0.17, -0.25, -0.54),
-    high: Vec3::new(0.0, 0.25, 0.54),
-    lenses: &[(LensAspect::Red, 0.27), (LensAspect::Yellow, 0.0), (LensAspect::Green, -0.27)],
-    lens_radius_m: 0.10,
-};
-const WITHOUT_PLATE: HeadDesign =
-    HeadDesign { low: Vec3::new(-0.17, -0.145, -0.42), high: Vec3::new(0.0, 0.145, 0.42), ..VEHICLE };
-const BICYCLE: HeadDesign = HeadDesign {
-    low: Vec3::new(-0.10, -0.075, -0.25),
-    high: Vec3::new(0.0, 0.075, 0.25),
-    lenses: &[(LensAspect::Red, 0.155), (LensAspect::Yellow, 0.0), (LensAspect::Green, -0.155)],
-    lens_radius_m: 0.055,
-};
-const PEDESTRIAN: HeadDesign = HeadDesign {
-    low: Vec3::new(-0.14, -0.13, -0.27),
-    high: Vec3::new(0.0, 0.13, 0.27),
-    lenses: &[(LensAspect::Red, 0.125), (LensAspect::Green, -0.125)],
-    lens_radius_m: 0.095,
-};
+/// A vehicle's head of a look.
+fn vehicle(look: &SignalLook) -> HeadDesign {
+    let ([y, z], pitch) = (look.outline(), look.head.pitch);
+    HeadDesign {
+        low: Vec3::new(-0.17, -y, -z),
+        high: Vec3::new(0.0, y, z),
+        lenses: vec![(LensAspect::Red, pitch), (LensAspect::Yellow, 0.0), (LensAspect::Green, -pitch)],
+        lens_radius_m: look.head.lens_radius,
+    }
+}
+
+fn bicycle() -> HeadDesign {
+    HeadDesign {
+        low: Vec3::new(-0.10, -0.075, -0.25),
+        high: Vec3::new(0.0, 0.075, 0.25),
+        lenses: vec![(LensAspect::Red, 0.155), (LensAspect::Yellow, 0.0), (LensAspect::Green, -0.155)],
+        lens_radius_m: 0.055,
+    }
+}
+
+fn pedestrian() -> HeadDesign {
+    HeadDesign {
+        low: Vec3::new(-0.14, -0.13, -0.27),
+        high: Vec3::new(0.0, 0.13, 0.27),
+        lenses: vec![(LensAspect::Red, 0.125), (LensAspect::Green, -0.125)],
+        lens_radius_m: 0.095,
+    }
+}
 
 impl HeadDesign {
     fn at(&self, middle: Vec3) -> SignalHead {
@@ -64,18 +73,17 @@ impl HeadDesign {
 /// The heads of a prop; none of what is no traffic light.
 pub(crate) fn signal_heads(prop: Prop, variant: u32) -> Vec<SignalHead> {
     let look = signal_look::of(variant);
-    let vehicle = if look.plate.is_some() { VEHICLE } else { WITHOUT_PLATE };
     let (design, middles): (_, Vec<Vec3>) = match prop {
-        Prop::SignalPole => (vehicle, signal::heads_on_pole(look)),
-        Prop::SignalMast => (vehicle, signal::heads_on_mast(look).concat()),
-        Prop::SignalCurvedMast => (vehicle, signal::heads_on_curved_mast(look).concat()),
+        Prop::SignalPole => (vehicle(look), signal::heads_on_pole(look)),
+        Prop::SignalMast => (vehicle(look), signal::heads_on_mast(look).concat()),
+        Prop::SignalCurvedMast => (vehicle(look), signal::heads_on_curved_mast(look).concat()),
         // Under the lower wire, which sags by 0.85 m.
         Prop::SpanSignal => {
             const Z: f32 = 7.4 - 0.85 * (1.0 - 1.9 * 1.9 / 49.0) - 0.72;
-            (vehicle, vec![Vec3::new(0.10, -1.9, Z), Vec3::new(0.10, 1.9, Z)])
+            (vehicle(look), vec![Vec3::new(0.10, -1.9, Z), Vec3::new(0.10, 1.9, Z)])
         }
-        Prop::CycleSignal => (BICYCLE, vec![Vec3::new(0.16, 0.0, 2.35)]),
-        Prop::WalkSignal => (PEDESTRIAN, vec![Vec3::new(0.22, 0.0, 2.4)]),
+        Prop::CycleSignal => (bicycle(), vec![Vec3::new(0.16, 0.0, 2.35)]),
+        Prop::WalkSignal => (pedestrian(), vec![Vec3::new(0.22, 0.0, 2.4)]),
         _ => return Vec::new(),
     };
     middles.into_iter().map(|middle| design.at(middle)).collect()

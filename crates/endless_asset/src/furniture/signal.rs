@@ -56,16 +56,17 @@ pub(crate) fn heads_on_curved_mast(look: &SignalLook) -> [Vec<Vec3>; 2] {
 
 /// One head, or two as near to one another as they fit.
 fn side_by_side(middle: Vec3, look: &SignalLook) -> Vec<Vec3> {
-    let half = if look.plate.is_some() { 0.26 } else { 0.18 };
+    let half = look.outline()[0] + if look.plate.is_some() { 0.01 } else { 0.035 };
     if look.paired { [-half, half].map(|y| middle + Vec3::Y * y).to_vec() } else { vec![middle] }
 }
 
 /// A three-lens head facing +x, its middle at this place, on a back-plate if it has one.
 fn head(centre: Vec3, look: &SignalLook) -> Sculpt {
-    let (r, pitch) = (0.10, 0.27);
+    let size = look.head;
+    let [width, height] = size.housing;
     let mut s = Sculpt::cuboid(
-        centre + Vec3::new(-0.17, -0.145, -0.42),
-        centre + Vec3::new(0.0, 0.145, 0.42),
+        centre + Vec3::new(-0.17, -width, -height),
+        centre + Vec3::new(0.0, width, height),
         0.025,
         look.housing,
     );
@@ -75,15 +76,16 @@ fn head(centre: Vec3, look: &SignalLook) -> Sculpt {
             Sculpt::cuboid(corner(x[0], -1.0), corner(x[1], 1.0), 0.008, material)
         };
         match plate.edge {
-            None => s.add(board([-0.12, -0.10], [0.25, 0.54], plate.face)),
+            None => s.add(board([-0.12, -0.10], size.plate, plate.face)),
             Some(edge) => {
-                s.add(board([-0.12, -0.105], [0.25, 0.54], edge));
-                s.add(board([-0.115, -0.10], [0.205, 0.495], plate.face));
+                s.add(board([-0.12, -0.105], size.plate, edge));
+                s.add(board([-0.115, -0.10], size.plate.map(|half| half - 0.045), plate.face));
             }
         }
     }
     for (i, m) in [paint::GREEN_LENS, paint::YELLOW_LENS, paint::RED_LENS].into_iter().enumerate() {
-        s.add(lens(centre + Vec3::new(0.002, 0.0, pitch * (i as f32 - 1.0)), r, m, look.housing));
+        let middle = centre + Vec3::new(0.002, 0.0, size.pitch * (i as f32 - 1.0));
+        s.add(lens(middle, size.lens_radius, m, look.housing));
     }
     s
 }
