@@ -25,6 +25,9 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
+    /// The bollard of plastic that marks where the carriageway ends, and its variant.
+    pub const DELINEATOR: (Prop, u32) = (Prop::Bollard, furniture::DELINEATOR);
+
     /// The built-in catalogue.
     pub fn builtin() -> Self {
         let vehicles = vehicle::all();

@@ -25,6 +25,7 @@ mod waste;
 pub use face::{SignPlate, SignalHead};
 pub(crate) use face::{sign_plate, signal_heads};
 pub(crate) use sign_face::{CODES, lettering};
+pub(crate) use small::DELINEATOR;
 
 use crate::Prop;
 use crate::shape::Sculpt;

@@ -88,6 +88,8 @@ pub(crate) fn post_box(variant: u32) -> Sculpt {
 
 /// How many bollards there are.
 pub(crate) const BOLLARDS: u32 = 6;
+/// The place of the plastic delineator among them.
+pub(crate) const DELINEATOR: u32 = 2;
 
 /// Of cast iron with a band, a steel tube, a plastic delineator, of concrete, of timber, or slim in black.
 pub(crate) fn bollard(variant: u32) -> Sculpt {
@@ -112,7 +114,7 @@ pub(crate) fn bollard(variant: u32) -> Sculpt {
             s.paint(&band(0.75, 0.85), paint::fixed(Surface::Plate, [0.55, 0.03, 0.02]));
             s
         }
-        2 => {
+        DELINEATOR => {
             let mut s = stick(0.04, 0.95, paint::fixed(Surface::Plastic, [0.75, 0.15, 0.01]));
             s.paint(&band(0.65, 0.75), white);
             s.paint(&band(0.85, 0.93), white);

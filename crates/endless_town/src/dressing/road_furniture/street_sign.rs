@@ -4,7 +4,7 @@ use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::dressing::road_furniture::post::{RoadsidePosts, sign_variant};
 use crate::dressing::road_furniture::sign_standard::{Codes, SignStandard};
 use crate::geometry::unit;
-use endless_asset::Prop;
+use endless_asset::{Catalogue, Prop};
 use endless_road::{Lane, TrafficControl};
 use endless_world::Stream;
 use glam::DVec2;
@@ -23,6 +23,12 @@ const BEYOND_M: f64 = 0.5;
 const NOSE_M: f64 = 0.9;
 /// Signs on medians stand so much lower than others.
 const LOWER_M: f64 = 1.45;
+/// Share of medians with a beacon in place of the sign, and of those with delineators behind it: fewest and most, and how
+/// far apart.
+const BEACONS: f64 = 0.2;
+const DELINEATED: f64 = 0.35;
+const DELINEATORS: [usize; 2] = [3, 8];
+const DELINEATORS_APART_M: f64 = 1.6;
 const HALF: DVec2 = DVec2::splat(0.2);
 /// Most signs of a map.
 const MOST: usize = 700;
@@ -50,7 +56,7 @@ pub(crate) fn add(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, st
     for (i, lane) in posts.map.network.lanes.iter().enumerate() {
         let mut stream = assembly.stream(36_000_000 + i as u64);
         if lane.junction.is_none() && stream.chance(MEDIANS) && placed < MOST {
-            placed += usize::from(on_median(assembly, posts, lane, standard.on_medians()));
+            placed += on_median(assembly, posts, lane, standard.on_medians(), &mut stream);
         }
     }
 }
@@ -77,19 +83,46 @@ fn beside_kerb(
     put_up(assembly, code, spot)
 }
 
-/// A low sign where a median begins, beside the innermost lane of its direction; whether there is one.
-fn on_median(assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, lane: &Lane, code: &str) -> bool {
+/// What warns of a median where it begins: a low sign or a beacon, and delineators behind it; how many pieces.
+fn on_median(
+    assembly: &mut TownAssembly<'_>,
+    posts: &RoadsidePosts<'_>,
+    lane: &Lane,
+    code: &str,
+    stream: &mut Stream,
+) -> usize {
+    let Some(nose) = median_spot(posts, lane, NOSE_M) else { return 0 };
+    let stands = if stream.chance(BEACONS) {
+        assembly.put(Prop::Beacon, nose, HALF, None)
+    } else {
+        put_up(assembly, code, PropPose { z: nose.z - LOWER_M, ..nose })
+    };
+    let count = if stream.chance(DELINEATED) {
+        stream.range_f64(DELINEATORS[0] as f64, DELINEATORS[1] as f64) as usize
+    } else {
+        0
+    };
+    let row = (1..=count).filter(|&k| {
+        let spot = median_spot(posts, lane, NOSE_M + DELINEATORS_APART_M * k as f64);
+        spot.is_some_and(|spot| assembly.put_variant(Catalogue::DELINEATOR, spot, HALF / 2.0))
+    });
+    usize::from(stands) + row.count()
+}
+
+/// A place in the median beside the innermost lane of its direction, facing those who drive towards it; `None` where there is
+/// none.
+fn median_spot(posts: &RoadsidePosts<'_>, lane: &Lane, s: f64) -> Option<PropPose> {
     let inner = if posts.map.left_hand { lane.right } else { lane.left };
-    if inner.is_some() || lane.centerline.length() < 2.0 * NOSE_M {
-        return false;
+    if inner.is_some() || lane.centerline.length() < s + NOSE_M {
+        return None;
     }
-    let place = lane.centerline.at(NOSE_M);
+    let place = lane.centerline.at(s);
     let across = unit(place.heading_rad).perp() * -posts.side();
     let at = place.position.truncate() + across * (lane.width_m / 2.0 + BEYOND_M);
     let free = [at, at + across * 0.3].into_iter().all(|p| !posts.pavement.is_carriageway(p));
     // Beyond a median others drive.
     let divides = (2..9).any(|k| posts.pavement.is_carriageway(at + across * f64::from(k)));
     let z = posts.ground(at.extend(place.position.z));
-    let spot = PropPose { z: z - LOWER_M, ..PropPose::new(at, place.heading_rad + PI) };
-    free && divides && (z - place.position.z).abs() < 0.6 && put_up(assembly, code, spot)
+    let spot = PropPose { z, ..PropPose::new(at, place.heading_rad + PI) };
+    (free && divides && (z - place.position.z).abs() < 0.6).then_some(spot)
 }
