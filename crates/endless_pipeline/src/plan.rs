@@ -188,7 +188,7 @@ fn events(recipe: &Recipe, video: u32) -> Vec<IncidentKind> {
 /// Shares of heavy vehicles: from that of a street of shops to that of a road to the docks.
 const HEAVY_VEHICLES: [f64; 2] = [0.03, 0.35];
 /// Shares of bicycles among two-wheelers: from those of a city of motorcycles to that of a city of cyclists.
-const BICYCLES: [f64; 2] = [0.03, 0.9];
+const BICYCLES: [f64; 2] = [0.1, 0.9];
 
 /// A share in traffic: what is asked for, or one of the video's own where its region is drawn, small ones as often as large
 /// ones.
