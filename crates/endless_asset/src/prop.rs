@@ -218,17 +218,24 @@ impl Prop {
         self.into()
     }
 
+    /// Whether it shows the state of a signal program to those who drive.
+    pub const fn is_vehicle_signal(self) -> bool {
+        matches!(self, Self::SignalPole | Self::SignalMast | Self::SignalCurvedMast | Self::SpanSignal)
+    }
+
     /// Whether it shows the state of a signal program.
     pub const fn is_signal(self) -> bool {
-        matches!(
-            self,
-            Self::SignalPole
-                | Self::SignalMast
-                | Self::SignalCurvedMast
-                | Self::WalkSignal
-                | Self::SpanSignal
-                | Self::CycleSignal
-        )
+        self.is_vehicle_signal() || matches!(self, Self::WalkSignal | Self::CycleSignal)
+    }
+
+    /// Whether it is a traffic sign with a code: no names of streets, no directions.
+    pub const fn is_traffic_sign(self) -> bool {
+        matches!(self, Self::StopSign | Self::YieldSign | Self::SpeedSign | Self::CrossingSign | Self::TrafficSign)
+    }
+
+    /// Whether it lights streets.
+    pub const fn is_street_lamp(self) -> bool {
+        matches!(self, Self::StreetLamp | Self::LanternPost | Self::ParkLamp | Self::DoubleLamp | Self::HighMast)
     }
 
     /// Whether a town buys many of one model.

@@ -104,12 +104,12 @@ fn furniture_has_the_sizes_of_the_real_things() {
 fn lamps_have_lenses_and_lights_have_all_their_colours() {
     let surfaces =
         |prop, variant| -> Vec<Surface> { CATALOGUE.prop(prop, variant).materials.iter().map(|m| m.surface).collect() };
-    for prop in [Prop::StreetLamp, Prop::LanternPost, Prop::ParkLamp, Prop::DoubleLamp, Prop::HighMast] {
+    for &prop in Prop::ALL.iter().filter(|prop| prop.is_street_lamp()) {
         for variant in 0..CATALOGUE.prop_variants(prop) {
             assert!(surfaces(prop, variant).contains(&Surface::LampLens), "{prop:?} {variant}");
         }
     }
-    for prop in [Prop::SignalPole, Prop::SignalMast, Prop::SignalCurvedMast, Prop::SpanSignal, Prop::CycleSignal] {
+    for &prop in Prop::ALL.iter().filter(|&&prop| prop.is_vehicle_signal() || prop == Prop::CycleSignal) {
         let lenses = surfaces(prop, 0).iter().filter(|s| matches!(s, Surface::SignalLens(_))).count();
         assert_eq!(lenses, 3, "{prop:?}");
     }

@@ -188,10 +188,7 @@ impl Approach<'_> {
     fn standing(&self, control: Control, end: DVec3, heading_rad: f64) -> Option<DVec3> {
         let near = if matches!(control, Control::Signal(_)) { POLE_NEAR_M } else { 10.0 };
         standing_near(self.town, end, heading_rad, near, |prop, shown| match (control, prop) {
-            (
-                Control::Signal(signal),
-                Prop::SignalPole | Prop::SignalMast | Prop::SignalCurvedMast | Prop::SpanSignal,
-            ) => shown == Some(signal),
+            (Control::Signal(signal), prop) if prop.is_vehicle_signal() => shown == Some(signal),
             (Control::Stop, Prop::StopSign) | (Control::Yield, Prop::YieldSign) => true,
             _ => false,
         })

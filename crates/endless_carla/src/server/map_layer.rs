@@ -1,6 +1,5 @@
 //! CARLA's layers of a map: all things of a kind, which clients take away and bring back together.
 
-use endless_asset::Prop;
 use endless_town::PlacedObject;
 use endless_world::ClassTag;
 
@@ -33,25 +32,8 @@ impl MapLayer {
         match (prop, class) {
             (_, Bridge | Ground | RailTrack | RoadLines | Roads | Sidewalks | Terrain | Water) => None,
             (None, _) => Some(Self::Buildings),
-            (
-                Some(
-                    Prop::SignalPole
-                    | Prop::SignalMast
-                    | Prop::SignalCurvedMast
-                    | Prop::SpanSignal
-                    | Prop::WalkSignal
-                    | Prop::CycleSignal
-                    | Prop::StopSign
-                    | Prop::YieldSign
-                    | Prop::SpeedSign
-                    | Prop::CrossingSign
-                    | Prop::TrafficSign,
-                ),
-                _,
-            ) => None,
-            (Some(Prop::StreetLamp | Prop::LanternPost | Prop::ParkLamp | Prop::DoubleLamp | Prop::HighMast), _) => {
-                Some(Self::StreetLights)
-            }
+            (Some(prop), _) if prop.is_signal() || prop.is_traffic_sign() => None,
+            (Some(prop), _) if prop.is_street_lamp() => Some(Self::StreetLights),
             (_, Vegetation) => Some(Self::Foliage),
             (_, Walls | Fences | GuardRail) => Some(Self::Walls),
             _ => Some(Self::Props),
