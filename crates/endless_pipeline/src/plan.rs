@@ -66,11 +66,12 @@ impl Plan {
         let list = if recipe.balance { balanced(&combinations, recipe) } else { shuffled(&combinations, recipe) };
         let scenes = (0..recipe.videos).zip(list).map(|(video, combination)| settings(combination, video, recipe));
         let mut scenes: Vec<SceneSettings> = scenes.collect();
-        for map in &recipe.maps {
-            let mut of_map: Vec<&mut SceneSettings> = scenes.iter_mut().filter(|scene| scene.map == *map).collect();
-            match recipe.sites {
-                PerVideo::Fixed => moved_camera::move_cameras(&mut of_map, map, catalog)?,
-                PerVideo::Drawn => drawn_sites::draw(&mut of_map, map, recipe, catalog)?,
+        if recipe.sites == PerVideo::Drawn {
+            drawn_sites::draw(&mut scenes, recipe, catalog)?;
+        } else {
+            for map in &recipe.maps {
+                let mut of_map: Vec<&mut SceneSettings> = scenes.iter_mut().filter(|scene| scene.map == *map).collect();
+                moved_camera::move_cameras(&mut of_map, map, catalog)?;
             }
         }
         Ok(Self { scenes, maps: recipe.maps.clone() })

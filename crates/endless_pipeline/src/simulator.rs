@@ -80,6 +80,8 @@ pub struct TrackFileSummary {
 /// The cameras of a scene that are to be drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SiteRequest {
+    /// The map on which they are.
+    pub map: String,
     /// By which they are drawn.
     pub seed: u64,
     /// By which the map's town is dressed; `None`: as it usually is.
@@ -100,11 +102,12 @@ pub trait MapCatalog {
     /// When there is no such map or it cannot be made.
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError>;
 
-    /// New camera sites on a map, for each of these scenes; `None` where the map has no such views.
+    /// New camera sites for each of these scenes; `None` where the map has no such views. Scenes of one town that follow one
+    /// another cost one look at it.
     ///
     /// # Errors
     /// When there is no such map or it cannot be made, or the simulator draws no cameras.
-    fn draw_sites(&self, _map: &str, _scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
+    fn draw_sites(&self, _scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
         Err(SimulatorError::Unsupported {
             what: "drawn camera sites".to_owned(),
             instead: "use --sites fixed, or the built-in simulator",

@@ -33,9 +33,9 @@ impl MapCatalog for ThreeTowns {
     }
 
     /// Cameras that hang where their seeds say.
-    fn draw_sites(&self, map: &str, scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
-        let site = self.cameras(map)?.swap_remove(0);
+    fn draw_sites(&self, scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
         let draw = |scene: &SiteRequest| {
+            let site = self.cameras(&scene.map)?.swap_remove(0);
             let seed = scene.seed ^ scene.town_seed.unwrap_or(0);
             let part = |bits: u32| f32::from((seed >> bits) as u16);
             let camera = |camera: u32| CameraSite {
@@ -43,8 +43,8 @@ impl MapCatalog for ThreeTowns {
                 position: [part(0), part(16), 6.0 + camera as f32],
                 ..site.clone()
             };
-            Some((0..scene.cameras).map(camera).collect())
+            Ok(Some((0..scene.cameras).map(camera).collect()))
         };
-        Ok(scenes.iter().map(draw).collect())
+        scenes.iter().map(draw).collect()
     }
 }

@@ -115,14 +115,15 @@ impl MapCatalog for BuiltinSimulator {
         Ok(self.map_library.cameras(map)?)
     }
 
-    fn draw_sites(&self, map: &str, scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
+    fn draw_sites(&self, scenes: &[SiteRequest]) -> Result<Vec<Option<Vec<CameraSite>>>, SimulatorError> {
         let draw = |drawer: &SiteDrawer<'_>, scene: &SiteRequest| {
             drawer.draw(scene.seed, scene.cameras as usize, scene.overlapping, &scene.views)
         };
         // Of the towns that are dressed anew each is built for its scene alone.
-        let parts = scenes.par_chunk_by(|a, b| a.town_seed == b.town_seed).map(|of_town| {
+        let one_town = |a: &SiteRequest, b: &SiteRequest| a.map == b.map && a.town_seed == b.town_seed;
+        let parts = scenes.par_chunk_by(one_town).map(|of_town| {
             let ask = |drawer: &SiteDrawer<'_>| of_town.par_iter().map(|scene| draw(drawer, scene)).collect();
-            self.map_library.draw_sites(map, of_town[0].town_seed, ask)
+            self.map_library.draw_sites(&of_town[0].map, of_town[0].town_seed, ask)
         });
         let parts: Vec<Vec<Option<Vec<CameraSite>>>> = parts.collect::<Result<_, _>>()?;
         Ok(parts.into_iter().flatten().collect())

@@ -5,27 +5,26 @@ use crate::{MapCatalog, PlanError, SiteRequest};
 use endless_dataset::Recipe;
 use endless_world::{SceneSettings, Stream};
 
-/// Draws the cameras of the scenes of a map.
-pub(super) fn draw(
-    scenes: &mut [&mut SceneSettings],
-    map: &str,
-    recipe: &Recipe,
-    catalog: &dyn MapCatalog,
-) -> Result<(), PlanError> {
+/// Draws the cameras of all scenes.
+pub(super) fn draw(scenes: &mut [SceneSettings], recipe: &Recipe, catalog: &dyn MapCatalog) -> Result<(), PlanError> {
     let wanted = recipe.cameras_per_scene;
     if wanted == 0 || scenes.is_empty() {
         return Ok(());
     }
+    // Those of a map after one another: it may be one town for all of them.
+    let mut by_map: Vec<&mut SceneSettings> = scenes.iter_mut().collect();
+    by_map.sort_by_key(|scene| recipe.maps.iter().position(|map| *map == scene.map));
     let request = |scene: &&mut SceneSettings| SiteRequest {
+        map: scene.map.clone(),
         seed: Stream::named(recipe.seed, "drawn sites", &[u64::from(scene.video)]).next_u64(),
         town_seed: scene.town_seed,
         cameras: wanted,
         overlapping: recipe.overlapping,
         views: recipe.views.clone(),
     };
-    let requests: Vec<SiteRequest> = scenes.iter().map(request).collect();
-    for (scene, sites) in scenes.iter_mut().zip(catalog.draw_sites(map, &requests)?) {
-        let sites = sites.ok_or_else(|| PlanError::NoViews { map: map.to_owned(), wanted })?;
+    let requests: Vec<SiteRequest> = by_map.iter().map(request).collect();
+    for (scene, sites) in by_map.into_iter().zip(catalog.draw_sites(&requests)?) {
+        let sites = sites.ok_or_else(|| PlanError::NoViews { map: scene.map.clone(), wanted })?;
         let camera = |numbered| scene_camera(recipe, scene, numbered);
         scene.cameras = sites.into_iter().zip(0..).map(camera).collect();
     }
