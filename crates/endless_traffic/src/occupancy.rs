@@ -215,7 +215,7 @@ impl Occupancy {
             let gap = base + o.rear - me.half_length;
             let leader = Leader { vehicle: o.vehicle, gap, speed: o.speed };
             let passes = same_queue && o.queues && filtering::passes(me, across, &o.across, gap);
-            if passes || filtering::goes_past(me, across, o) {
+            if passes || o.reaches_over && filtering::goes_past(me, across, &o.across, o.speed) {
                 let pace = pace_past(o.speed, gap);
                 found.pace_mps = Some(found.pace_mps.map_or(pace, |least: f64| least.min(pace)));
                 found.passed_m = Some(found.passed_m.map_or(gap, |nearest: f64| nearest.min(gap)));

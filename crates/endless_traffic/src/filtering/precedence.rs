@@ -2,7 +2,6 @@
 
 use super::way::Filtering;
 use crate::across::Across;
-use crate::occupancy::Occupant;
 use crate::vehicle::Vehicle;
 
 /// Room between the side of a rider and that of a vehicle that is passed, metres: where lanes are 3.25 m wide there is hardly
@@ -41,10 +40,10 @@ pub(crate) fn passes(me: &Vehicle, across: &Across, theirs: &Across, gap_m: f64)
     in_time && goal(me, across).is_clear_of(theirs, ROOM_M)
 }
 
-/// Whether somebody in a lane goes past a rider who stands over its line and waits for the way of the lane beside: they are in two
-/// queues, and there is room between them.
-pub(crate) fn goes_past(me: &Vehicle, across: &Across, rider: &Occupant) -> bool {
-    me.filtering.is_none() && rider.reaches_over && rider.speed < STAYS_MPS && across.is_clear_of(&rider.across, ROOM_M)
+/// Whether somebody in a lane goes past a rider who reaches over its line, at this speed, and waits for the way of the lane beside:
+/// they are in two queues, and there is room between them.
+pub(crate) fn goes_past(me: &Vehicle, across: &Across, rider: &Across, speed_mps: f64) -> bool {
+    me.filtering.is_none() && speed_mps < STAYS_MPS && across.is_clear_of(rider, ROOM_M)
 }
 
 /// What a rider will take of a lane's width, of which this is taken on the way there.
