@@ -2,7 +2,7 @@
 
 use super::height_field::{HeightField, TopSurface};
 use super::lane_spot::{LaneSpot, TownView, log_between};
-use super::roadside::beside;
+use super::roadside::{Roadside, beside};
 use super::surroundings::{BuildingPrism, CameraSurroundings, OpenSpace};
 use crate::geometry::unit;
 use endless_road::{Crossing, TrafficControl};
@@ -118,11 +118,7 @@ impl<'s> MountDraw<'s> {
         let ahead = unit(end.heading_rad + random.range_f64(-1.3, 1.3));
         let aim = end.position.truncate() + ahead * log_between(7.0, 60.0, random);
         let height = random.range_f64(4.5, 9.0);
-        let lens = roadside.foot + (aim - roadside.foot).normalize_or(DVec2::X) * 0.4;
-        let site =
-            aimed(lens.extend(roadside.ground + height), aim.extend(end.position.z), Mount::TrafficLight, random);
-        let pole = Some(roadside.foot.extend(roadside.ground));
-        Some(DrawnPlace { site, level: roadside.road_z, aim, pole, on_foot: false })
+        Some(on_roadside(&roadside, height, aim.extend(end.position.z), Mount::TrafficLight, random))
     }
 
     fn on_pole(&self, spot: LaneSpot<'_>, random: &mut Stream) -> Option<DrawnPlace> {
@@ -130,11 +126,8 @@ impl<'s> MountDraw<'s> {
         let side = if random.chance(0.8) { -1.0 } else { 1.0 };
         let roadside = beside(self.relief, &lane.centerline, s, lane.width_m, side)?;
         let aim = spot.aim([8.0, 90.0], random);
-        let lens = roadside.foot + (aim.truncate() - roadside.foot).normalize_or(DVec2::X) * 0.4;
         let height = random.range_f64(4.0, 10.0);
-        let site = aimed(lens.extend(roadside.ground + height), aim, Mount::Pole, random);
-        let pole = Some(roadside.foot.extend(roadside.ground));
-        Some(DrawnPlace { site, level: roadside.road_z, aim: aim.truncate(), pole, on_foot: false })
+        Some(on_roadside(&roadside, height, aim, Mount::Pole, random))
     }
 
     fn on_mast(&self, spot: LaneSpot<'_>, random: &mut Stream) -> Option<DrawnPlace> {
@@ -222,6 +215,14 @@ impl<'s> MountDraw<'s> {
 pub(super) struct ViewIntent {
     view: usize,
     mount: Mount,
+}
+
+/// On a pole beside a lane, so high above the ground.
+fn on_roadside(roadside: &Roadside, height: f64, aim: DVec3, mount: Mount, random: &mut Stream) -> DrawnPlace {
+    let lens = roadside.foot + (aim.truncate() - roadside.foot).normalize_or(DVec2::X) * 0.4;
+    let site = aimed(lens.extend(roadside.ground + height), aim, mount, random);
+    let pole = Some(roadside.foot.extend(roadside.ground));
+    DrawnPlace { site, level: roadside.road_z, aim: aim.truncate(), pole, on_foot: false }
 }
 
 /// Above a lane.
