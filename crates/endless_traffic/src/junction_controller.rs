@@ -198,8 +198,9 @@ impl JunctionController {
         } else {
             0.0
         };
-        let kept = kept_free_m(vehicles, requests, request);
-        let mut reserved = is_reserved(vehicles, requests, request);
+        let starving = longest_starving(requests, request);
+        let kept = kept_free_m(vehicles, starving);
+        let mut reserved = is_reserved(vehicles, starving);
         let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left + kept;
         let mut behind = Some(request.junction);
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
@@ -360,27 +361,24 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
         || !lanes.iter().any(|&lane| roads.table(lane).sweeps.approaches.iter().any(stands_there))
 }
 
-/// Room beyond the junction that is kept for somebody who has waited long to get there, or for whom others have, and longer than for
-/// who asks, metres: where there is room for few, and lights let others go first whenever there is any, they would never get on.
-/// Nobody keeps it for those behind or beside them, who wait until they have gone.
-fn kept_free_m(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> f64 {
-    let starving = longest_starving(requests, request);
-    starving.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
-}
-
-/// Who has waited longest to get where somebody else would go from another road, for long, and longer than they.
+/// Who has waited longest to get where somebody else would go from another road, or has others behind who have, for long, and longer
+/// than they: nobody keeps room for those behind or beside them, who wait until they have gone.
 fn longest_starving<'a>(requests: &'a [EntryRequest], request: &EntryRequest) -> Option<&'a EntryRequest> {
     let starves = |r: &&EntryRequest| r.pressure_s > STARVES_S.max(request.pressure_s) && r.at_the_line();
     let there = requests.iter().filter(|r| r.exit == request.exit && r.before != request.before);
     there.filter(starves).max_by(|a, b| a.pressure_s.total_cmp(&b.pressure_s))
 }
 
+/// Room beyond the junction that is kept for who starves, metres: where there is room for few, and lights let others go first whenever
+/// there is any, they would never get on.
+fn kept_free_m(vehicles: &[Vehicle], starving: Option<&EntryRequest>) -> f64 {
+    starving.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
+}
+
 /// Whether the room beyond is for a long vehicle that has waited so long for it that others leave all of it: on a short piece of
 /// road there is hardly ever as much when its light is green.
-fn is_reserved(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> bool {
-    longest_starving(requests, request).is_some_and(|starving| {
-        starving.pressure_s > RESERVES_S && 2.0 * vehicles[starving.vehicle].half_length + SPARE_M > ANOTHER_M
-    })
+fn is_reserved(vehicles: &[Vehicle], starving: Option<&EntryRequest>) -> bool {
+    starving.is_some_and(|starving| starving.pressure_s > RESERVES_S) && kept_free_m(vehicles, starving) > ANOTHER_M
 }
 
 /// Whether the vehicle directly ahead on the approach, whose line is `distance` metres from the front bumper, has the right of

@@ -6,7 +6,7 @@
 //! driven through the turn once, and stays away from it where it would touch somebody.
 
 use endless_road::swept::{DRAWBAR, SWINGS_OUT_M, towed_heading};
-use endless_road::{Lane, RoadNetwork, WalkKind};
+use endless_road::{Lane, RoadNetwork, WalkEdge, WalkKind};
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
 use glam::DVec2;
@@ -24,6 +24,7 @@ const BESIDE_M: f64 = 0.1;
 const SIDE_PIECES: u32 = 4;
 
 /// A sidewalk: its axis, and half its width, metres.
+#[derive(Clone)]
 struct Strip {
     ends: [DVec2; 2],
     half_width_m: f64,
@@ -35,6 +36,12 @@ impl Strip {
         let [a, b] = self.ends;
         let along = ((at - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
         at.distance(a.lerp(b, along)) - self.half_width_m
+    }
+
+    /// Whether it may be within reach of a box: boxes tell it of most, at once.
+    fn may_reach(&self, low: DVec2, high: DVec2) -> bool {
+        let ([a, b], reach_m) = (self.ends, REACH_M + self.half_width_m);
+        a.min(b).cmple(high + reach_m).all() && a.max(b).cmpge(low - reach_m).all()
     }
 }
 
@@ -57,7 +64,8 @@ impl KerbSweeps {
     pub(crate) fn new(network: &RoadNetwork, radii_m: impl Iterator<Item = f64>) -> Self {
         let lanes = network.lanes.iter().zip(radii_m);
         let turns = lanes.filter(|(lane, radius_m)| lane.junction.is_some() && *radius_m < TURN_RADIUS_M);
-        Self { turns: turns.filter_map(|(lane, _)| Turning::of(network, lane)).collect() }
+        let strips = sidewalks(network);
+        Self { turns: turns.filter_map(|(lane, _)| Turning::of(network, &strips, lane)).collect() }
     }
 
     /// Forbids a model the turns in which it would sweep over a sidewalk.
@@ -72,16 +80,11 @@ impl KerbSweeps {
 }
 
 impl Turning {
-    fn of(network: &RoadNetwork, lane: &Lane) -> Option<Self> {
+    fn of(network: &RoadNetwork, sidewalks: &[Strip], lane: &Lane) -> Option<Self> {
         let way = way(network, lane);
-        let near = |strip: &Strip| way.iter().any(|&at| strip.away_m(at) < REACH_M);
-        let walk = &network.walk;
-        let sidewalks = walk.edges.iter().filter(|edge| edge.kind == WalkKind::Sidewalk);
-        let strips = sidewalks.map(|edge| Strip {
-            ends: edge.nodes.map(|node| walk.nodes[node.index()].truncate()),
-            half_width_m: 0.5 * edge.width_m,
-        });
-        let strips: Vec<Strip> = strips.filter(near).collect();
+        let (low, high) = way.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(*p), h.max(*p)));
+        let near = |strip: &&Strip| strip.may_reach(low, high) && way.iter().any(|&at| strip.away_m(at) < REACH_M);
+        let strips: Vec<Strip> = sidewalks.iter().filter(near).cloned().collect();
         let rooms = way.iter().flat_map(|&at| strips.iter().map(move |strip| strip.away_m(at)));
         let room_m = rooms.fold(f64::INFINITY, f64::min);
         room_m.is_finite().then_some(Self { lane: lane.id.index(), way, strips, room_m })
@@ -110,6 +113,16 @@ impl Turning {
     }
 }
 
+fn sidewalks(network: &RoadNetwork) -> Vec<Strip> {
+    let walk = &network.walk;
+    let edges = walk.edges.iter().filter(|edge| edge.kind == WalkKind::Sidewalk);
+    let strip = |edge: &WalkEdge| Strip {
+        ends: edge.nodes.map(|node| walk.nodes[node.index()].truncate()),
+        half_width_m: 0.5 * edge.width_m,
+    };
+    edges.map(strip).collect()
+}
+
 fn heading(way: DVec2) -> f64 {
     atan2(way.y, way.x)
 }
@@ -132,7 +145,7 @@ fn way(network: &RoadNetwork, lane: &Lane) -> Vec<DVec2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_road::{Junction, JunctionId, LaneId, Polyline, WalkEdge, WalkNodeId};
+    use endless_road::{Junction, JunctionId, LaneId, Polyline, WalkNodeId};
     use endless_world::ObjectClass;
     use glam::DVec3;
 

@@ -205,7 +205,7 @@ fn room_is_kept_for_who_has_waited_and_is_held_by_a_light() {
     let kept_m = |waited_s: f64| {
         let mut requests = [0, 1].map(|i| request(&roads, &[], &vehicles[i], i).expect("before a junction"));
         (requests[1].pressure_s, requests[1].held) = (waited_s, true);
-        kept_free_m(&vehicles, &requests, &requests[0])
+        kept_free_m(&vehicles, longest_starving(&requests, &requests[0]))
     };
     let length_m = f64::from(VehicleSpec::default().length_m);
     assert_eq!([STARVES_S - 1.0, STARVES_S + 1.0].map(kept_m), [0.0, length_m + SPARE_M]);
@@ -232,7 +232,7 @@ fn a_long_vehicle_that_has_waited_for_a_whole_cycle_has_all_the_room_kept() {
         vehicles[1].half_length = 0.5 * length_m;
         let mut requests = [0, 1].map(|i| request(&roads, &[], &vehicles[i], i).expect("before a junction"));
         (requests[1].pressure_s, requests[1].held) = (waited_s, true);
-        is_reserved(&vehicles, &requests, &requests[0])
+        is_reserved(&vehicles, longest_starving(&requests, &requests[0]))
     };
     assert!(reserved(7.1, RESERVES_S + 1.0));
     assert!(!reserved(7.1, RESERVES_S - 1.0), "not for long");
