@@ -135,7 +135,7 @@ impl Agreement {
 #[test]
 fn flow_leads_to_the_same_objects_and_back() {
     let mut all = [Agreement::default(), Agreement::default()];
-    for map in ["Town10HD", "Town03"] {
+    for map in ["Town10HD", "Town05"] {
         let out = tempfile::tempdir().expect("temp");
         let video = make(map, SIZE, 2, out.path(), 2);
         assert_eq!(check(out.path()).expect("a dataset").findings, []);
@@ -155,7 +155,7 @@ fn flow_leads_to_the_same_objects_and_back() {
         println!("{counts:?}");
         let share = |part: usize, whole: usize| part as f64 / whole as f64;
         let Agreement { still, moving, same, near, hidden, returning, undone, .. } = *counts;
-        assert!(moving > 20_000 && hidden > 500 && returning > moving / 4, "{counts:?}");
+        assert!(moving > 20_000 && hidden > 500 && returning > moving / 3, "{counts:?}");
         assert!(share(still + same, still + moving) > 0.999, "{counts:?}");
         // Legs and spokes are narrower than a pixel far away, and lie between four centres.
         assert!(share(near, moving) > 0.995, "{counts:?}");

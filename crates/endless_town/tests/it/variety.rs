@@ -55,15 +55,14 @@ fn a_seed_draws_the_same_cameras_and_another_seed_others() {
 
 #[test]
 fn overlapping_cameras_that_are_drawn_see_the_same_street() {
-    let town = load("Town03", &Catalogue::builtin()).expect("known");
+    let town = load("Town10HD", &Catalogue::builtin()).expect("known");
     let check = ViewCheck::new(&town, &Catalogue::builtin());
     let shared = |pair: &Vec<CameraSite>| {
         let seen = check.places_seen(pair);
         seen[0].iter().any(|place| seen[1].binary_search(place).is_ok())
     };
-    let pairs = drawn("Town03", None, 24, true);
-    let seen = pairs.iter().filter(|pair| shared(pair)).count();
-    assert!(seen >= 16, "{seen} of 24: long lenses see further than the check looks");
+    let pairs = drawn("Town10HD", None, 12, true);
+    assert!(pairs.iter().filter(|pair| shared(pair)).count() >= 10, "long lenses see further than the check looks");
 }
 
 #[test]
