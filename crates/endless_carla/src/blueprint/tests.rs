@@ -167,6 +167,21 @@ fn a_red_car_is_red() {
 }
 
 #[test]
+fn so_many_people_ride_two_wheelers_of_a_model() {
+    let (catalogue, library) = (Catalogue::builtin(), BlueprintLibrary::new());
+    let look = |id: &str, actor: u32| {
+        let BlueprintKind::Vehicle(vehicle) = library.find(id).expect("CARLA has it").kind else {
+            panic!("no vehicle")
+        };
+        vehicle.reference(&catalogue, None, actor)
+    };
+    let bike = |actor| look("vehicle.bh.crossbike", actor);
+    assert!(bike(3) != bike(4) && bike(3) == bike(3 + 64));
+    let car = |actor| look("vehicle.lincoln.mkz_2020", actor);
+    assert!(car(3) != car(3 + 64));
+}
+
+#[test]
 fn walkers_are_of_the_sex_that_their_blueprint_says() {
     let library = BlueprintLibrary::new();
     let mut women = 0;

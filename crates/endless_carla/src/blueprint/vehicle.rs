@@ -12,9 +12,18 @@ use endless_world::{ClassTag, Stream, VehicleModelId, VehicleRef, srgb_from_line
 const PAINTS_TRIED: usize = 256;
 
 impl VehicleBlueprint {
-    /// The vehicle of a seed (of its actor, say), in the paint of its model that comes nearest to a colour: a police
-    /// car stays one.
-    pub fn reference(&self, catalogue: &Catalogue, color: Option<Color>, seed: u64) -> VehicleRef {
+    /// How many people ride two-wheelers of a model and colour: each has a body of their own, which takes some milliseconds to
+    /// make.
+    const RIDERS: u32 = 64;
+
+    /// How many looks vehicles of a model and colour have.
+    pub const LOOKS: u32 = 4096;
+
+    /// The vehicle of an actor of this id, in the paint of its model that comes nearest to a colour: a police car stays one.
+    /// Server and client both ask here, so that they show the same rider.
+    pub fn reference(&self, catalogue: &Catalogue, color: Option<Color>, actor: u32) -> VehicleRef {
+        let is_ridden = catalogue.vehicle(self.model).is_some_and(|model| model.spec.ridden);
+        let seed = u64::from(actor % if is_ridden { Self::RIDERS } else { Self::LOOKS });
         let with = |variant| VehicleRef { model: self.model, variant };
         let Some(color) = color else { return with(seed) };
         let unlike = |variant: u64| {

@@ -84,7 +84,7 @@ fn asset(actor: &wire::Actor, class: ObjectClass, blueprint: Option<&Blueprint>,
     match blueprint.map(|blueprint| (&blueprint.kind, blueprint)) {
         Some((BlueprintKind::Vehicle(vehicle), blueprint)) => {
             let color = blueprint.attributes(&actor.description).color("color").ok();
-            vehicle.reference(catalogue, color, seed).into()
+            vehicle.reference(catalogue, color, actor.id).into()
         }
         Some((BlueprintKind::Walker(walker), _)) => PersonRef { outfit: Outfit::Fair, seed: walker.person }.into(),
         _ if class == ObjectClass::Pedestrian => PersonRef { outfit: Outfit::Fair, seed }.into(),

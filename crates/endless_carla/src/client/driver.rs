@@ -21,13 +21,15 @@ pub(super) struct Driver {
     pub(super) manager: Option<TrafficManager>,
     /// As the server was told last.
     lights: BTreeMap<u32, VehicleLights>,
+    /// To where its front wheels point, as the server was told last, half degrees to the right.
+    wheels: BTreeMap<u32, i32>,
     /// People as a server of ours moves them: the wire tells where they are, and not which foot is in front.
     walkers: BTreeMap<u32, WalkerBody>,
 }
 
 impl Driver {
     pub(super) fn new(simulation: Simulation) -> Self {
-        Self { simulation, manager: None, lights: BTreeMap::new(), walkers: BTreeMap::new() }
+        Self { simulation, manager: None, lights: BTreeMap::new(), wheels: BTreeMap::new(), walkers: BTreeMap::new() }
     }
 
     /// Whether a frame can be made again: nobody moves between frames by themselves.
@@ -47,6 +49,10 @@ impl Driver {
                     commands.push(Command::ApplyTransform { actor: id, transform });
                     if self.lights.insert(id, motion.lights) != Some(motion.lights) {
                         commands.push(Command::SetVehicleLightState { actor: id, lights: motion.lights.bits() });
+                    }
+                    let half_degrees = (-2.0 * motion.steer_rad.to_degrees()).round() as i32;
+                    if self.wheels.insert(id, half_degrees).unwrap_or(0) != half_degrees {
+                        world.steer_wheels(id, body.class, 0.5 * half_degrees as f32)?;
                     }
                 }
                 Motion::Walker(motion) => {

@@ -10,6 +10,7 @@ use crate::wire::{
     Actor, ActorDefinition, Bytes, Command, EnvironmentObject, EpisodeInfo, EpisodeSettings, LabelledPoint, Location,
     MapInfo, WeatherParameters, Wire,
 };
+use endless_world::ObjectClass;
 use rmpv::Value;
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -170,6 +171,16 @@ impl World {
 
     pub(super) fn freeze_traffic_light(&mut self, light: u32, frozen: bool) -> Result<(), ClientError> {
         self.connection.tell("freeze_traffic_light", vec![light.into(), frozen.into()])
+    }
+
+    /// Turns the front wheels of a vehicle that no physics moves, degrees to the right. Of two-wheelers CARLA's wheel 1 is the
+    /// rear one.
+    pub(super) fn steer_wheels(&mut self, vehicle: u32, class: ObjectClass, degrees: f32) -> Result<(), ClientError> {
+        for wheel in 0..if class.two_wheeled() { 1u8 } else { 2 } {
+            let arguments = vec![vehicle.into(), wheel.into(), degrees.into()];
+            self.connection.tell("set_wheel_steer_direction", arguments)?;
+        }
+        Ok(())
     }
 
     /// Runs commands that spawn, also when the user wants to stop meanwhile: what was spawned must be known, to be taken away.

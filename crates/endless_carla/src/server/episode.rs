@@ -6,7 +6,7 @@ use super::loaded_map::{LoadedMap, NamedMap};
 use super::map_layer::MapLayer;
 use super::scenery::Scenery;
 use super::weather::CLEAR_NOON;
-use crate::blueprint::BlueprintLibrary;
+use crate::blueprint::{BlueprintLibrary, VehicleBlueprint};
 use crate::frames;
 use crate::map::LightCycle;
 use crate::physics::Contact;
@@ -46,7 +46,7 @@ pub(super) struct Episode {
     /// The actors of the map's lights, in the order of its list.
     pub(super) light_ids: Vec<u32>,
     next_id: u32,
-    /// How many numbers had been given in other episodes.
+    /// How many numbers had been given in other episodes, or somewhat more: whole rounds of [`VehicleBlueprint::LOOKS`].
     ids_before: u32,
     next_stream: u32,
     own_stream: u32,
@@ -70,7 +70,9 @@ impl Episode {
         let next_stream = before.map_or(own_stream, |before| before.next_stream);
         // Nor are numbers of actors: clients keep what they were told of one.
         let parked = map.town.parked.len() as u32;
-        let next_id = before.map_or(parked, |before| before.next_id.max(parked));
+        // Clients know an actor's id, not its number in the episode: both name the same look.
+        let ids_before =
+            before.map_or(0, |before| before.next_id.saturating_sub(parked).next_multiple_of(VehicleBlueprint::LOOKS));
         let (id, frame) = before.map_or((1, 0), |before| (before.id + 1, before.frame));
         let mut episode = Self {
             id,
@@ -87,8 +89,8 @@ impl Episode {
             lamps: Lamps::new(&map.town),
             light_ids: Vec::new(),
             // Parked vehicles have the first numbers in pictures.
-            next_id,
-            ids_before: next_id - parked,
+            next_id: ids_before + parked,
+            ids_before,
             next_stream,
             own_stream,
             is_new: true,

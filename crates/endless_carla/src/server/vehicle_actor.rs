@@ -11,9 +11,6 @@ use crate::wire::{
 use endless_asset::Catalogue;
 use endless_world::{ObjectClass, VehicleLights, VehicleMotion, VehicleRef};
 
-/// How many people ride two-wheelers of a model and colour: each has a body of their own, which takes some milliseconds to make.
-const RIDERS: u32 = 64;
-
 /// A vehicle.
 pub(super) struct VehicleActor {
     pub(super) asset: VehicleRef,
@@ -51,8 +48,7 @@ impl VehicleActor {
         let color = if attributes.has("color") { Some(attributes.color("color")?) } else { None };
         let model = catalogue.vehicle(blueprint.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
         let spec = &model.spec;
-        let look = if spec.ridden { number % RIDERS } else { number };
-        let asset = blueprint.reference(catalogue, color, u64::from(look));
+        let asset = blueprint.reference(catalogue, color, number);
         let shape = VehicleShape {
             mass_kg: Some(blueprint.mass_kg.into()),
             electric: blueprint.special_type == "electric",
@@ -79,7 +75,8 @@ impl VehicleActor {
         // Brakes and gears switch these by themselves.
         lights.set(VehicleLights::BRAKE, lights.contains(VehicleLights::BRAKE) || self.control.brake > 0.05);
         lights.set(VehicleLights::REVERSE, lights.contains(VehicleLights::REVERSE) || self.control.reverse);
-        let [left, right] = [0, 1].map(|wheel| -self.wheel_steer_deg(wheel).to_radians());
+        let [left, right] =
+            [0, u8::from(!self.class.two_wheeled())].map(|wheel| -self.wheel_steer_deg(wheel).to_radians());
         VehicleMotion {
             speed_mps: self.body.speed_mps() as f32,
             rolled_m: self.body.rolled_m() as f32,
@@ -166,28 +163,5 @@ impl VehicleActor {
     /// Rolls a wheel: it is told again, and not drawn, for wheels are drawn by the way that they have gone.
     pub(super) fn set_wheel_pitch(&mut self, wheel: u8, degrees: f32) {
         self.wheels_set[usize::from(wheel) & 3].pitch_deg = if degrees.is_finite() { degrees } else { 0.0 };
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::blueprint::{BlueprintKind, BlueprintLibrary};
-
-    #[test]
-    fn so_many_people_ride_two_wheelers_of_a_model() {
-        let (catalogue, library) = (Catalogue::builtin(), BlueprintLibrary::new());
-        let look = |id: &str, number: u32| {
-            let blueprint = library.find(id).expect("CARLA has it");
-            let BlueprintKind::Vehicle(vehicle) = &blueprint.kind else { panic!("{id} is a vehicle") };
-            let description = blueprint.description();
-            let attributes = blueprint.attributes(&description);
-            let actor = VehicleActor::new(vehicle, &attributes, &catalogue, number, &Transform::default());
-            actor.expect("it can be made").asset
-        };
-        let bike = |number| look("vehicle.bh.crossbike", number);
-        assert!(bike(3) != bike(4) && bike(3) == bike(3 + RIDERS));
-        let car = |number| look("vehicle.lincoln.mkz_2020", number);
-        assert!(car(3) != car(3 + RIDERS));
     }
 }
