@@ -8,3 +8,4 @@ pub(crate) mod infill;
 pub(crate) mod old_paint;
 pub(crate) mod paint;
 pub(crate) mod surface;
+mod travelled;

@@ -2,6 +2,7 @@
 
 use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::pavement_index::{PavementIndex, PavementPiece, is_carriageway};
+use crate::dressing::pavement::travelled::travelled;
 use crate::geometry::triangulate;
 use crate::geometry::{OccupiedSpace, Rect};
 use crate::palette::NO_LANE;
@@ -59,11 +60,13 @@ fn material(strip: &LaneSurface, paving: Material) -> Material {
     }
 }
 
-/// A layer for every strip in a junction, so that no two that overlap share one, where there are enough.
-fn layers(lane_surfaces: &[LaneSurface]) -> Vec<usize> {
+/// A layer for every strip in a junction, so that no two that overlap share one, where there are enough; those with traces
+/// of wheels, of which none overlap, have the top one to themselves.
+fn layers(lane_surfaces: &[LaneSurface], travelled: &[bool]) -> Vec<usize> {
     let boxes: Vec<(DVec2, DVec2)> = lane_surfaces.iter().map(bounds).collect();
-    let mut layers = vec![0; lane_surfaces.len()];
-    let inside: Vec<usize> = (0..lane_surfaces.len()).filter(|&i| lane_surfaces[i].in_junction).collect();
+    let mut layers: Vec<usize> = travelled.iter().map(|&top| if top { LAYERS } else { 0 }).collect();
+    let inside: Vec<usize> =
+        (0..lane_surfaces.len()).filter(|&i| lane_surfaces[i].in_junction && !travelled[i]).collect();
     for (place, &i) in inside.iter().enumerate() {
         let mut used = [false; LAYERS];
         for &k in &inside[..place] {
@@ -88,6 +91,8 @@ pub(crate) struct PavementMesher<'a> {
     /// By strip.
     materials: Vec<Material>,
     layers: Vec<usize>,
+    /// Whether it shows traces of wheels across a junction.
+    travelled: Vec<bool>,
 }
 
 impl<'a> PavementMesher<'a> {
@@ -98,7 +103,9 @@ impl<'a> PavementMesher<'a> {
         paving: Material,
     ) -> Self {
         let materials = lane_surfaces.iter().map(|strip| material(strip, paving)).collect();
-        Self { pavement, land, materials, layers: layers(lane_surfaces) }
+        let travelled = travelled(lane_surfaces);
+        let layers = layers(lane_surfaces, &travelled);
+        Self { pavement, land, materials, layers, travelled }
     }
 
     /// The pieces under whose middle a pier finds room, which it takes; by number, in order.
@@ -189,7 +196,7 @@ impl<'a> PavementMesher<'a> {
         let [r0, r1, l1, l0] = piece.corners;
         let up = DVec3::Z * lift;
         let corners = [r0.lerp(l0, from), r1.lerp(l1, from), r1.lerp(l1, to), r0.lerp(l0, to)].map(|p| p + up);
-        let lane = piece.kind == LaneType::Driving && !piece.in_junction;
+        let lane = piece.kind == LaneType::Driving && (!piece.in_junction || self.travelled[piece.strip as usize]);
         let half = r0.distance(l0).max(r1.distance(l1)) / 2.0;
         let v = |t: f64| if lane { (half * (2.0 * t - 1.0)) as f32 } else { NO_LANE };
         let (u0, u1) = (along as f32, (along + r0.distance(r1)) as f32);
