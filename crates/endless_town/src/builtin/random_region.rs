@@ -180,7 +180,6 @@ impl RandomRegion {
             palms: self.palms,
             wires: self.wires,
             bright: self.bright,
-            bleached: true,
             yards: self.yards,
             ..TownPreset::default()
         }

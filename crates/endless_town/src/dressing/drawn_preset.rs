@@ -51,7 +51,6 @@ impl DrawnPreset {
         preset.palms = if palms { random.range_f64(0.15, 0.6) } else { 0.0 };
         preset.wires = usual.wires || random.chance(WIRED);
         preset.bright = usual.bright || random.chance(BRIGHT);
-        preset.bleached = true;
         preset.yards = usual.yards || random.chance(0.25);
         preset.green_yards = random.range_f64(GREEN_YARDS[0], GREEN_YARDS[1]);
         // Where wires hang, streets are full of other things, too.

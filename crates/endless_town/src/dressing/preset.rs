@@ -45,10 +45,8 @@ pub(crate) struct TownPreset {
     pub(crate) zones: Vec<BuildingZone>,
     /// Wires hang on poles along all streets, not just along roads without sidewalks.
     pub(crate) wires: bool,
-    /// Low houses have flat roofs and bright colours.
+    /// Low houses have flat roofs and bright colours, which the sun has bleached.
     pub(crate) bright: bool,
-    /// The sun has bleached these colours, and large houses have none.
-    pub(crate) bleached: bool,
     /// Maize grows on the fields.
     pub(crate) maize: bool,
     /// Ground between houses is paved where roads are many.
@@ -88,7 +86,6 @@ impl Default for TownPreset {
             zones: Vec::new(),
             wires: false,
             bright: false,
-            bleached: false,
             maize: false,
             yards: false,
             green_yards: 0.0,

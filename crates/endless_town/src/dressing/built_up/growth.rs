@@ -283,11 +283,7 @@ impl BuildingGrowth<'_> {
         let depth = 2.0 * rect.half.y;
         let local = [(-half, 0.0), (half, 0.0), (half, depth), (-half, depth)].map(|(x, y)| DVec2::new(x, y));
         let mut stream = Stream::named(seed, "town/building", &[]);
-        let color = match (self.preset.bright, self.preset.bleached) {
-            (false, _) => None,
-            (true, false) => Some(*stream.pick(BRIGHT)),
-            (true, true) => is_low(&dimensions).then(|| faded(&mut stream)),
-        };
+        let color = (self.preset.bright && is_low(&dimensions)).then(|| faded(*stream.pick(BRIGHT), seed));
         // Terraces stand wall to wall.
         let wall_to_wall = dimensions.kind == BuildingKind::Terrace;
         let blind = [false, wall_to_wall, false, wall_to_wall];
@@ -314,10 +310,9 @@ fn is_low(dimensions: &BuildingDimensions) -> bool {
     low && dimensions.storeys <= 5
 }
 
-/// One of the bright colours, bleached by the sun for longer or shorter.
-fn faded(stream: &mut Stream) -> [f32; 3] {
+/// A bright colour, bleached by the sun for longer or shorter.
+fn faded(paint: [f32; 3], seed: u64) -> [f32; 3] {
     const BLEACHED: [f32; 3] = [0.62, 0.60, 0.56];
-    let paint = *stream.pick(BRIGHT);
-    let share = stream.range_f32(0.0, 0.6);
+    let share = Stream::named(seed, "town/building/bleached", &[]).range_f32(0.0, 0.6);
     std::array::from_fn(|k| lerp(paint[k], BLEACHED[k], share))
 }
