@@ -25,8 +25,8 @@ fn spacing(density: TrafficDensity) -> Spacing {
 const THERE: [f64; 2] = [0.65, 0.8];
 /// No scene has more of the traffic of the rest of the map than this.
 const MOST_ELSEWHERE: f64 = 120.0;
-/// Share of the room on the lanes that is used at most.
-const MOST_ROOM: f64 = 0.25;
+/// Sidewalk that every person needs at least, on the mean of the map, metres.
+const LEAST_WALK_M: f64 = 12.0;
 
 impl TrafficMap {
     /// The vehicles and people that a scene asks for, by number, or by how busy its streets are, at its time of day and in its
@@ -60,7 +60,7 @@ impl TrafficMap {
             } else {
                 elsewhere
             };
-            let most = whole_m[kind] / if kind == 0 { 16.0 } else { 3.0 } * MOST_ROOM;
+            let most = if kind == 0 { f64::from(self.most_that_flow()) } else { whole_m[kind] / LEAST_WALK_M };
             number.min(most).round() as u32
         })
     }
