@@ -17,6 +17,8 @@ use std::error::Error;
 const SIZE: ImageSize = ImageSize { width: 640, height: 360 };
 /// Seconds between the frames that are looked at.
 const EVERY_S: f64 = 2.4;
+/// Lane in sight of those cameras that see more than a glimpse of a street: a street of four lanes, 75 m of it.
+const STREET_M: f64 = 300.0;
 /// Slower than this vehicles stand, m/s.
 const STANDS_MPS: f32 = 0.5;
 
@@ -33,8 +35,11 @@ struct View {
 }
 
 /// All frames of one camera.
+#[derive(Clone)]
 struct CameraViews {
     name: String,
+    /// Lane that it sees, metres.
+    lanes_m: f64,
     frames: Vec<View>,
 }
 
@@ -148,21 +153,26 @@ fn main() -> Result<(), Box<dyn Error>> {
         let boxes: Vec<Vec<SceneBoxes>> = settings.par_iter().map(boxes).collect::<Result<_, _>>()?;
         let name = |site: &endless_world::CameraSite| site.name.clone();
         let mut of_town: Vec<CameraViews> =
-            cameras.iter().map(|site| CameraViews { name: name(site), frames: Vec::new() }).collect();
+            cameras.iter().map(|site| CameraViews { name: name(site), lanes_m: 0.0, frames: Vec::new() }).collect();
         for (scene, frames) in settings.iter().zip(&boxes) {
+            let lanes_m = simulator.lanes_seen_m(&map, scene);
             for (k, camera) in scene.cameras.iter().enumerate() {
                 let views = frames.iter().map(|frame| view(frame, &frame.cameras[k].objects));
                 let of = of_town.iter_mut().find(|of| of.name == camera.site.name).expect("a camera of the town");
+                of.lanes_m = lanes_m[k];
                 of.frames.extend(views);
             }
         }
         for camera in &of_town {
             let each = |what: fn(&View) -> f64| median(camera.frames.iter().map(what).collect());
-            println!("  {town}/{}: {} vehicles, {} people", camera.name, each(|v| v.vehicles), each(|v| v.people));
+            let [vehicles, people] = [each(|v| v.vehicles), each(|v| v.people)];
+            println!("  {town}/{}: {vehicles} vehicles on {} m of lane, {people} people", camera.name, camera.lanes_m);
         }
         report(town, &of_town);
         all.extend(of_town);
     }
     report("all", &all);
+    let streets: Vec<CameraViews> = all.into_iter().filter(|camera| camera.lanes_m >= STREET_M).collect();
+    report("streets", &streets);
     Ok(())
 }

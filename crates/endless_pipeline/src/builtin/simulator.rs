@@ -1,6 +1,8 @@
 //! The built-in city as a simulator.
 
-use super::{bake_cache::BakeCache, map::BuiltinMap, scene_boxes::SceneBoxes, session::BuiltinSession, track_fit};
+use super::{
+    bake_cache::BakeCache, lookout, map::BuiltinMap, scene_boxes::SceneBoxes, session::BuiltinSession, track_fit,
+};
 use crate::{
     Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError, SiteRequest,
     TrackFileSummary,
@@ -66,6 +68,11 @@ impl BuiltinSimulator {
             }
         }
         Ok(boxes)
+    }
+
+    /// Lane that each camera of a scene sees, near enough for a vehicle there to have a box, metres.
+    pub fn lanes_seen_m(&self, map: &BuiltinMap, settings: &SceneSettings) -> Vec<f64> {
+        lookout::sight(map, settings).seen_m().into_iter().map(|[lanes, _]| lanes).collect()
     }
 
     /// The models of which scenes are made.
