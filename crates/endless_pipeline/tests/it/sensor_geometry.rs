@@ -137,9 +137,10 @@ impl FromAside {
             let Some((shown_m, seen)) = pinhole.inner(at.x.floor() as i32, at.y.floor() as i32) else { continue };
             let cosine = pinhole.camera.ray(at.x, at.y).map_or(1.0, |ray| ray.direction.dot(forward));
             let distance = depth / cosine;
-            // What lies behind what the camera shows is hidden from it, and what is narrower than a pixel lies between what
-            // it shows.
-            let is_thin = matches!(point.tag, ClassTag::Poles | ClassTag::RoadLines) && seen.tag != point.tag;
+            // What lies behind what the camera shows is hidden from it, and what is narrower than a pixel, as poles and wires
+            // (which are static) are, lies between what it shows.
+            let is_thin = matches!(point.tag, ClassTag::Poles | ClassTag::RoadLines | ClassTag::Static);
+            let is_thin = is_thin && seen.tag != point.tag;
             if is_thin || distance > 1.15 * shown_m {
                 continue;
             }
