@@ -14,8 +14,12 @@ use serde_json::json;
 use std::{collections::BTreeMap, f64::consts::TAU};
 
 /// Maps, weathers, times of day and seeds.
-const SCENES: [(&str, &str, &str, u64); 3] =
-    [("Town02", "clear_sky", "afternoon", 1), ("Town02", "rainy", "night", 2), ("Altstadt", "foggy", "morning", 4)];
+const SCENES: [(&str, &str, &str, u64); 4] = [
+    ("Town02", "clear_sky", "afternoon", 1),
+    ("Town02", "rainy", "night", 2),
+    ("Town02", "rainy", "night", 5),
+    ("Altstadt", "foggy", "morning", 4),
+];
 /// Pixels around the panorama, and directions of the LiDAR: 2 degrees each.
 const AROUND: u32 = 180;
 
@@ -137,10 +141,9 @@ impl FromAside {
             let Some((shown_m, seen)) = pinhole.inner(at.x.floor() as i32, at.y.floor() as i32) else { continue };
             let cosine = pinhole.camera.ray(at.x, at.y).map_or(1.0, |ray| ray.direction.dot(forward));
             let distance = depth / cosine;
-            // What lies behind what the camera shows is hidden from it, and what is narrower than a pixel, as poles and wires
-            // (which are static) are, lies between what it shows.
-            let is_thin = matches!(point.tag, ClassTag::Poles | ClassTag::RoadLines | ClassTag::Static);
-            let is_thin = is_thin && seen.tag != point.tag;
+            // What lies behind what the camera shows is hidden from it, and what is narrower than a pixel lies between what
+            // it shows.
+            let is_thin = matches!(point.tag, ClassTag::Poles | ClassTag::RoadLines) && seen.tag != point.tag;
             if is_thin || distance > 1.15 * shown_m {
                 continue;
             }
