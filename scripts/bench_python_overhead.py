@@ -4,7 +4,8 @@
     python3 scripts/bench_python_overhead.py PROGRAM [--rounds N] [--duration S]
 
 The best round of each counts, by processor time, which other programs disturb less, and by the clock. A stream writes nothing, so that
-it is no slower than what it is compared with unless Python holds it up.
+it is no slower than what it is compared with unless Python holds it up. What importing the package takes is told as well, beyond the
+start of Python.
 """
 
 import argparse
@@ -24,6 +25,15 @@ with endless_city.stream(**{recipe}) as frames:
         for view in frame.cameras:
             view.rgb, view.depth, view.instance, view.objects.boxes
 """
+
+
+IMPORT = "import time; start = time.perf_counter(); import endless_city; print(time.perf_counter() - start)"
+
+
+def import_s():
+    """The shortest of some, by the clock: other programs only add to it."""
+    again = [subprocess.run([sys.executable, "-c", IMPORT], check=True, capture_output=True) for _ in range(10)]
+    return min(float(run.stdout) for run in again)
 
 
 def run(command):
@@ -57,6 +67,7 @@ def main():
     for name, (used, clock) in best.items():
         of = [100 * (a / b - 1) for a, b in zip((used, clock), best["endless generate"])]
         print(f"{name:<17} {used:6.2f} s of processor time ({of[0]:+.1f} %), {clock:6.2f} s by the clock ({of[1]:+.1f} %)")
+    print(f"{'import':<17} {1000 * import_s():6.0f} ms by the clock")
 
 
 if __name__ == "__main__":
