@@ -16,7 +16,7 @@ pub(crate) const MOST_LIMIT_FACTOR: f64 = 1.12;
 const HEADWAY_S: [f64; 2] = [0.75, 1.4];
 /// Gaps between bumpers in a standing queue, metres: with cars of 4.5 m, 120 to 150 vehicles stand on a kilometre (the same,
 /// table 8.1 and 11.2).
-const STANDING_GAP_M: [f64; 2] = [1.9, 3.1];
+pub(crate) const STANDING_GAP_M: [f64; 2] = [1.9, 3.1];
 /// Speeds on a free street as shares of its limit: on urban streets the mean is about the limit, and the 85th percentile 10 %
 /// above it (Fitzpatrick et al. 2003, NCHRP Report 504).
 const LIMIT_FACTOR: [f64; 2] = [0.88, MOST_LIMIT_FACTOR];

@@ -8,6 +8,7 @@ use super::entry_request::{
     EntryRequest, STANDS_MPS, approach_control, aspect, goes_before, request, sign_allows, stopping_m, travel_s,
     yields_to,
 };
+use crate::driver::STANDING_GAP_M;
 use crate::exit_pressure::pressures_s;
 use crate::gridlock;
 use crate::occupancy::{Leader, Occupancy};
@@ -19,8 +20,11 @@ use endless_road::swept::LONG_M;
 use endless_road::{JunctionId, LaneId, TrafficControl, Turn};
 use endless_world::{SignalAspect, SignalState};
 
-/// Room kept free behind the leader beyond a junction, metres.
+/// Room kept free behind the leader beyond a junction, metres; and before a queue in which somebody has stood so long, seconds, no more
+/// than the shortest gap of those who stand: a queue that gets on by one car leaves that car's length and one such gap.
 const SPARE_M: f64 = 2.5;
+const LEAST_SPARE_M: f64 = STANDING_GAP_M[0];
+const LONG_STAND_S: f64 = 100.0;
 /// What another vehicle needs, metres.
 const ANOTHER_M: f64 = 8.0;
 /// Share of a lane that who comes to it leaves free where one gets off it by a change of lanes alone.
@@ -201,7 +205,7 @@ impl JunctionController {
         let starving = longest_starving(requests, request);
         let kept = kept_free_m(vehicles, starving);
         let mut reserved = is_reserved(vehicles, starving);
-        let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left + kept;
+        let mut needed = crossing_end + 2.0 * me.half_length + spare_m(request) + left + kept;
         let mut behind = Some(request.junction);
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
         for _ in 0..MOST_ROADS {
@@ -359,6 +363,13 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
     };
     (2.0 * me.half_length < LONG_M && 2.0 * me.half_width < WIDE_M)
         || !lanes.iter().any(|&lane| roads.table(lane).sweeps.approaches.iter().any(stands_there))
+}
+
+/// Room that who asks wants behind the leader beyond the junction, metres. At lights nobody makes do with less: those who get green next
+/// would find a rear in their way.
+fn spare_m(request: &EntryRequest) -> f64 {
+    let makes_do = request.pressure_s > LONG_STAND_S && !matches!(request.control, TrafficControl::Signal(_));
+    if makes_do { LEAST_SPARE_M } else { SPARE_M }
 }
 
 /// Who has waited longest to get where somebody else would go from another road, or has others behind who have, for long, and longer

@@ -238,3 +238,25 @@ fn a_long_vehicle_that_has_waited_for_a_whole_cycle_has_all_the_room_kept() {
     assert!(!reserved(7.1, RESERVES_S - 1.0), "not for long");
     assert!(!reserved(4.5, RESERVES_S + 1.0), "there will be room for a car");
 }
+
+#[test]
+fn who_stands_before_a_long_queue_takes_the_room_that_one_car_leaves() {
+    let roads = streets();
+    let length_m = f64::from(VehicleSpec::default().length_m);
+    let has_room_at = |control: TrafficControl, room_m: f64, pressure_s: f64| {
+        let beyond_m = roads.table(LaneId(4)).length - length_m - room_m;
+        let vehicles = [stands(&roads, 2, 0.5), stands(&roads, 4, beyond_m)];
+        let asks = request(&roads, &[], &vehicles[0], 0).expect("before a junction");
+        let requests = [EntryRequest { pressure_s, control, ..asks }];
+        let controller = JunctionController { holders: vec![vec![]; 2], ..JunctionController::default() };
+        controller.has_exit_space(&roads, &occupied(&roads, &vehicles), &vehicles, &requests, &requests[0])
+    };
+    let has_room = |room_m: f64, pressure_s: f64| has_room_at(TrafficControl::Free, room_m, pressure_s);
+    let close_m = length_m + LEAST_SPARE_M + 0.1;
+    assert!(has_room(close_m, LONG_STAND_S + 1.0));
+    assert!(!has_room(close_m, LONG_STAND_S - 1.0), "nobody has stood for long");
+    let light = TrafficControl::Signal(SignalId(0));
+    assert!(!has_room_at(light, close_m, LONG_STAND_S + 1.0), "those who get green next have to get past");
+    assert!(has_room(length_m + SPARE_M + 0.1, 0.0));
+    assert!(!has_room(length_m + 1.0, LONG_STAND_S + 1.0), "it would stand in the junction");
+}
