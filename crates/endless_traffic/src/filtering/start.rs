@@ -117,7 +117,9 @@ impl Passage {
         let room = if straddles {
             is_free_beside(view, vehicles, i, way, side, reach_m, &goal)
         } else {
-            is_free_of_parked(view, vehicles, i, way, place_m, reach_m)
+            // When the queue gets on, the rider keeps to the edge until there is a gap, at the line perhaps.
+            let to_line_m = way.last().map_or(reach_m, |(lane, base)| base + roads.table(*lane).length);
+            is_free_of_parked(view, vehicles, i, way, place_m, to_line_m.max(reach_m))
         };
         let drift = Drift { begin_m: me.rolled, length_m, left_m, back_m: None };
         room.then_some(Self { side, straddles, drift, passed })

@@ -7,11 +7,12 @@ use crate::roads::Roads;
 use crate::roads::TrafficMap;
 use crate::settings::DrivingCondition;
 use crate::vehicle::{LaneChange, RightOfWay};
+use endless_road::swept::OrientedRectangle;
 use endless_road::{Junction, JunctionId, Lane, LaneId, Polyline, RoadNetwork, TrafficControl};
 use endless_world::{
     ObjectClass, Region, Side, SignalAspect, SignalId, SignalState, Stream, VehicleModelId, VehicleRef, VehicleSpec,
 };
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// A line 200 m ahead, and a lane over the junction beyond for each lane before it.
 const LINE_M: f64 = 200.0;
@@ -75,10 +76,20 @@ const RED: [SignalAspect; 3] = [SignalAspect::Red; 3];
 
 /// How the first of these, a rider, gets past the others.
 fn way(roads: &Roads, vehicles: &[Vehicle], lights: [SignalAspect; 3]) -> Option<Filtering> {
+    way_past(roads, vehicles, lights, &[])
+}
+
+/// The same beside these parked vehicles.
+fn way_past(
+    roads: &Roads,
+    vehicles: &[Vehicle],
+    lights: [SignalAspect; 3],
+    parked: &[OrientedRectangle],
+) -> Option<Filtering> {
     let mut occupancy = Occupancy::default();
     occupancy.rebuild(roads, vehicles);
     let signals = lights.map(|aspect| SignalState { aspect });
-    start::look(&RiderView { roads, occupancy: &occupancy, signals: &signals, parked: &[] }, vehicles, 0)
+    start::look(&RiderView { roads, occupancy: &occupancy, signals: &signals, parked }, vehicles, 0)
 }
 
 #[test]
@@ -125,6 +136,17 @@ fn riders_stay_behind_who_leaves_no_room() {
     let broad = street(1, 4.2);
     let found = way(&broad, &single(&broad), RED).expect("a broad lane");
     assert!(found.straddles.is_none() && (found.goal_m().abs() - 1.6).abs() < 1e-6, "{found:?}");
+}
+
+#[test]
+fn riders_at_the_edge_look_for_parked_vehicles_as_far_as_the_line() {
+    let roads = street(1, 4.2);
+    let queue = [vehicle(&roads, 0, 0, 120.0, 7.0), vehicle(&roads, 1, 0, 160.0, 0.0)];
+    let parked = |x: f64| [-1.9, 1.9].map(|y| OrientedRectangle::new(&specs()[1], DVec2::new(x, y), 0.0, 0.0));
+    assert!(way(&roads, &queue, RED).is_some());
+    assert!(way_past(&roads, &queue, RED, &parked(150.0)).is_none(), "beside the queue");
+    assert!(way_past(&roads, &queue, RED, &parked(185.0)).is_none(), "the queue gets on, and the rider with it");
+    assert!(way_past(&roads, &queue, RED, &parked(206.0)).is_some(), "beyond the line");
 }
 
 #[test]
