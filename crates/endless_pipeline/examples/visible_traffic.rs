@@ -17,8 +17,8 @@ use std::error::Error;
 const SIZE: ImageSize = ImageSize { width: 640, height: 360 };
 /// Seconds between the frames that are looked at.
 const EVERY_S: f64 = 2.4;
-/// Lane in sight of those cameras that see more than a glimpse of a street: a street of four lanes, 75 m of it.
-const STREET_M: f64 = 300.0;
+/// Lane in sight of those cameras that see more than a glimpse of a street: a street of two lanes, 75 m of it.
+const STREET_M: f64 = 150.0;
 /// Slower than this vehicles stand, m/s.
 const STANDS_MPS: f32 = 0.5;
 
@@ -38,7 +38,7 @@ struct View {
 #[derive(Clone)]
 struct CameraViews {
     name: String,
-    /// Lane that it sees, metres.
+    /// Lane outside junctions that it sees, metres.
     lanes_m: f64,
     frames: Vec<View>,
 }
@@ -117,9 +117,12 @@ fn report(name: &str, cameras: &[CameraViews]) {
     let reach = |of: &[f64], least: f64| of.iter().filter(|n| **n >= least).count();
     let sum = |what: fn(&View) -> f64| frames().map(what).sum::<f64>();
     let seen = sum(|v| v.vehicles).max(1.0);
+    let lanes_m = cameras.iter().map(|camera| camera.lanes_m).sum::<f64>();
+    let per_km = 1000.0 * vehicles.iter().sum::<f64>() / lanes_m.max(1.0);
     println!(
         "{name:10} {:3} cameras: vehicles {:4.1} of {:3.0} (least {:4.1}, {:3} with 10 or more, {:3} with 20), people {:4.1} \
-         (least {:3.1}, {:3} with 5 or more), {:4.1} m/s, {:2.0}% stand",
+         (least {:3.1}, {:3} with 5 or more), {:4.1} m/s, {:2.0}% stand, \
+         {per_km:.0} vehicles for each kilometre of lane in sight",
         cameras.len(),
         median(vehicles.clone()),
         sum(|v| v.there) / frames().count().max(1) as f64,
@@ -155,7 +158,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut of_town: Vec<CameraViews> =
             cameras.iter().map(|site| CameraViews { name: name(site), lanes_m: 0.0, frames: Vec::new() }).collect();
         for (scene, frames) in settings.iter().zip(&boxes) {
-            let lanes_m = simulator.lanes_seen_m(&map, scene);
+            let lanes_m = simulator.roads_seen_m(&map, scene);
             for (k, camera) in scene.cameras.iter().enumerate() {
                 let views = frames.iter().map(|frame| view(frame, &frame.cameras[k].objects));
                 let of = of_town.iter_mut().find(|of| of.name == camera.site.name).expect("a camera of the town");
@@ -166,7 +169,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         for camera in &of_town {
             let each = |what: fn(&View) -> f64| median(camera.frames.iter().map(what).collect());
             let [vehicles, people] = [each(|v| v.vehicles), each(|v| v.people)];
-            println!("  {town}/{}: {vehicles} vehicles on {} m of lane, {people} people", camera.name, camera.lanes_m);
+            println!(
+                "  {town}/{}: {vehicles} vehicles on {:.0} m of lane, {people} people",
+                camera.name, camera.lanes_m
+            );
         }
         report(town, &of_town);
         all.extend(of_town);

@@ -127,6 +127,19 @@ impl Focus {
         self.views().map(|view| [metres(&self.lanes, view), metres(&self.walks, view)]).collect()
     }
 
+    /// Metres of lanes outside junctions that each view sees: inside, lanes cross, and whoever is on one is on others.
+    pub fn roads_seen_m(&self, network: &RoadNetwork) -> Vec<f64> {
+        let mut metres = vec![0.0; self.views.len()];
+        for lane in network.lanes.iter().filter(|lane| lane.junction.is_none()) {
+            let places = self.lane_places(lane.id.index());
+            let piece_m = lane.centerline.length() / places.len().max(1) as f64;
+            for (view, metres) in metres.iter_mut().enumerate() {
+                *metres += piece_m * places.iter().filter(|bits| **bits >> view & 1 == 1).count() as f64;
+            }
+        }
+        metres
+    }
+
     /// The views that see a place of a lane, metres from its beginning, a bit each.
     pub fn on_lane(&self, lane: usize, s: f64) -> u32 {
         self.lanes.get(lane).map_or(0, |bits| nearest(bits, s))
@@ -194,6 +207,15 @@ mod tests {
             roll_rad: 0.0,
         };
         View::Camera(PinholeCamera::new(&site, SIZE))
+    }
+
+    #[test]
+    fn lanes_inside_junctions_are_no_road() {
+        let mut network = street();
+        let focus = Focus::new(&network, &[View::around(Vec3::ZERO)], 1.0, &|_, _| true);
+        assert!((focus.roads_seen_m(&network)[0] - 140.0).abs() < 6.0, "{:?}", focus.roads_seen_m(&network));
+        network.lanes[0].junction = Some(endless_road::JunctionId(0));
+        assert_eq!(focus.roads_seen_m(&network), [0.0]);
     }
 
     fn seen_at(focus: &Focus) -> Vec<f64> {

@@ -70,9 +70,9 @@ impl BuiltinSimulator {
         Ok(boxes)
     }
 
-    /// Lane that each camera of a scene sees, near enough for a vehicle there to have a box, metres.
-    pub fn lanes_seen_m(&self, map: &BuiltinMap, settings: &SceneSettings) -> Vec<f64> {
-        lookout::sight(map, settings).seen_m().into_iter().map(|[lanes, _]| lanes).collect()
+    /// Lanes outside junctions that each camera of a scene sees, near enough for a vehicle there to have a box, metres.
+    pub fn roads_seen_m(&self, map: &BuiltinMap, settings: &SceneSettings) -> Vec<f64> {
+        lookout::sight(map, settings).roads_seen_m(map.traffic.network())
     }
 
     /// The models of which scenes are made.
