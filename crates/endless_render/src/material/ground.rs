@@ -302,8 +302,8 @@ fn concrete_noise<N: PerPixel>(p: [N; 2], footprint: N) -> [N; 3] {
     asked.map(batch.found())
 }
 
-/// Unevenness of grass, over metres and down to blades, how dry and how worn it is, and its bumps.
-pub(super) fn grass_look<G: PixelGroup>(at: &G) -> [G::Number; 9] {
+/// Unevenness of grass, over metres and down to blades, how dry and how worn it is, how lush over tens of metres, and its bumps.
+pub(super) fn grass_look<G: PixelGroup>(at: &G) -> [G::Number; 10] {
     let (p, footprint) = (at.plan(), at.footprint_m());
     let moved = |aside: f32| p.map(|axis| axis + aside);
     let mut batch = <G::Number as PerPixel>::Noise::new(footprint);
@@ -314,17 +314,21 @@ pub(super) fn grass_look<G: PixelGroup>(at: &G) -> [G::Number; 9] {
         batch.fbm2([p[0], p[1] * 0.6], 0.05, 3),
         batch.fbm2(moved(90.0), 5.0, 3),
         batch.fbm2(moved(210.0), 3.3, 4),
+        batch.fbm2(moved(530.0), 42.0, 3),
     ];
-    let [broad, tuft, clump, blades, dry, worn] = asked.map(batch.found());
+    let [broad, tuft, clump, blades, dry, worn, lush] = asked.map(batch.found());
     let dry = smoothstep(0.1, 0.6, dry + tuft * 0.15);
     let worn = smoothstep(0.28, 0.62, worn + tuft * 0.1);
     let [x, y, keep] = bumps(p, 0.10, 0.8, footprint);
-    [broad, tuft, clump, blades, dry, worn, x, y, keep]
+    let lush = smoothstep(-0.45, 0.45, lush + broad * 0.15);
+    [broad, tuft, clump, blades, dry, worn, lush, x, y, keep]
 }
 
-pub(super) fn grass(point: &SurfaceInteraction<'_>, base: Vec3A, look: [f32; 9]) -> Bsdf {
-    let [broad, tuft, clump, blades, dry, worn, bumps @ ..] = look;
-    let green = muted(base, 0.22) * (0.94 + 0.34 * broad + 0.35 * tuft + 0.75 * clump + 0.7 * blades);
+pub(super) fn grass(point: &SurfaceInteraction<'_>, base: Vec3A, look: [f32; 10]) -> Bsdf {
+    let [broad, tuft, clump, blades, dry, worn, lush, bumps @ ..] = look;
+    // Where it is mown short or stands in the sun it is pale and yellowish, and dark where it is watered or shaded.
+    let grown = Vec3A::new(1.42, 1.14, 1.12).lerp_unfused(Vec3A::new(0.70, 0.86, 0.84), lush);
+    let green = muted(base * grown, 0.22) * (0.94 + 0.34 * broad + 0.35 * tuft + 0.75 * clump + 0.7 * blades);
     let straw = Vec3A::new(0.20, 0.17, 0.085) * (1.0 + 0.4 * blades + 0.3 * tuft);
     let earth = Vec3A::new(0.115, 0.09, 0.065) * (1.0 + 0.5 * tuft);
     let color = green.lerp_unfused(straw, dry * 0.6).lerp_unfused(earth, worn * 0.6);
