@@ -13,6 +13,7 @@ use crate::walk_strip::{APART_M, BODY_M, height};
 use crate::walker::Walker;
 use endless_world::VehicleRef;
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
+use endless_world::math::segment::share_along;
 use endless_world::walking::Footsteps;
 use glam::DVec2;
 
@@ -111,10 +112,7 @@ fn get_off(roads: &Roads, door: &Door, walkers: &mut [Walker], rider: usize) -> 
     let Some(kerb) = opposite(door, place.at) else { return false };
     let beyond = kerb + door.out * BEYOND_M;
     let way = beyond - door.inside;
-    let off_m = |at: DVec2| {
-        let u = ((at - door.inside).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-        at.distance(door.inside + way * u)
-    };
+    let off_m = |at: DVec2| at.distance(door.inside + way * share_along(at, door.inside, beyond));
     let clear = |other: &Walker| other.bus.is_inside() || off_m(other.position) > CLEAR_M;
     if !walkers.iter().all(clear) {
         return false;

@@ -5,6 +5,7 @@ use endless_road::swept::OrientedRectangle;
 use endless_road::{Lane, WalkKind};
 use endless_world::Side;
 use endless_world::math::f64::wrap_angle;
+use endless_world::math::segment::share_along;
 
 /// A bus stop's sign, and what stands in the way there, is no further than this beside the edge of its lane, metres.
 pub(crate) const BESIDE_M: f64 = 4.5;
@@ -102,7 +103,7 @@ pub(crate) fn kerb_side(roads: &RoadTables, lane: &Lane, s: f64) -> Option<f64> 
     for edge in walk.edges.iter().filter(|edge| edge.kind == WalkKind::Sidewalk) {
         let [a, b] = edge.nodes.map(|node| walk.nodes[node.index()].truncate());
         let along = b - a;
-        let u = ((at - a).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
+        let u = share_along(at, a, b);
         let beside = a + along * u - at;
         let distance = beside.length();
         if distance < KERB_M && best.is_none_or(|(nearest, _)| distance < nearest) {

@@ -9,6 +9,7 @@ use endless_road::swept::{DRAWBAR, SWINGS_OUT_M, towed_heading};
 use endless_road::{Lane, RoadNetwork, WalkEdge, WalkKind};
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
+use endless_world::math::segment::share_along;
 use glam::DVec2;
 
 /// Bends of a larger radius are no turns, metres.
@@ -34,7 +35,7 @@ impl Strip {
     /// How far a place is from it, metres; negative on it.
     fn away_m(&self, at: DVec2) -> f64 {
         let [a, b] = self.ends;
-        let along = ((at - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
+        let along = share_along(at, a, b);
         at.distance(a.lerp(b, along)) - self.half_width_m
     }
 

@@ -3,6 +3,7 @@
 //! The standard library's versions are banned by `clippy.toml`. `sqrt`, `abs`, `floor` and the four operations are
 //! exact everywhere and need no wrapper.
 
+pub mod segment;
 mod unfused;
 
 pub use unfused::{UnfusedMatrix, UnfusedQuat, UnfusedVec3A};

@@ -2,6 +2,7 @@
 
 use endless_road::{RoadNetwork, WalkKind};
 use endless_world::Stream;
+use endless_world::math::segment::share_along;
 use glam::{DVec2, DVec3};
 
 /// Besides half a lane's width, metres: bodies overhang lanes, most in junctions.
@@ -94,7 +95,6 @@ impl Strip {
     fn distance(&self, place: DVec2) -> f64 {
         let [a, b] = self.ends;
         let along = b - a;
-        let share = (place - a).dot(along) / along.length_squared().max(1e-9);
-        place.distance(a + along * share.clamp(0.0, 1.0))
+        place.distance(a + along * share_along(place, a, b))
     }
 }

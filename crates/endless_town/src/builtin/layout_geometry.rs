@@ -1,6 +1,7 @@
 //! Geometry of town layouts: points, smooth lines, outlines, hills.
 
 use crate::geometry::unit;
+use endless_world::math::segment::share_along;
 use glam::DVec2;
 
 /// Distance between points of a smooth line, metres.
@@ -108,7 +109,7 @@ pub(super) fn along(line: &[DVec2], p: DVec2) -> f64 {
     let (mut best, mut found, mut s) = (f64::INFINITY, 0.0, 0.0);
     for pair in line.windows(2) {
         let way = pair[1] - pair[0];
-        let t = ((p - pair[0]).dot(way) / way.length_squared().max(1e-12)).clamp(0.0, 1.0);
+        let t = share_along(p, pair[0], pair[1]);
         let d = (pair[0] + way * t).distance(p);
         if d < best {
             (best, found) = (d, s + t * way.length());

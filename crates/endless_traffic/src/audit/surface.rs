@@ -9,6 +9,7 @@ use super::parking::ParkedBodies;
 use super::report::AuditLine;
 use super::sight::{Glance, Sight, entry};
 use endless_road::{Lane, LaneId, RoadNetwork};
+use endless_world::math::segment::share_along;
 use endless_world::{VehicleLights, VehicleMotion, VehicleSpec};
 use glam::DVec2;
 
@@ -56,8 +57,7 @@ impl Strip {
     fn outside_m(&self, at: DVec2) -> f64 {
         let [a, b] = self.ends;
         let along = b - a;
-        let share = ((at - a).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
-        (at.distance(a + along * share) - self.half_width_m).max(0.0)
+        (at.distance(a + along * share_along(at, a, b)) - self.half_width_m).max(0.0)
     }
 }
 

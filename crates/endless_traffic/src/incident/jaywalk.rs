@@ -4,6 +4,7 @@ use super::moment::{Candidate, Moment};
 use super::road_walk::RoadWalk;
 use crate::walker::Walker;
 use endless_road::{Lane, WalkKind};
+use endless_world::math::segment::share_along;
 use glam::DVec2;
 
 /// Slower than this people have something else in mind, m/s.
@@ -49,7 +50,7 @@ fn road_walk(moment: &Moment<'_>, walker: &Walker) -> Option<RoadWalk> {
     let clear = |point: DVec2| {
         network.crossings.iter().all(|crossing| {
             let [a, b] = crossing.ends.map(glam::DVec3::truncate);
-            let u = ((point - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
+            let u = share_along(point, a, b);
             point.distance(a.lerp(b, u)) > FROM_CROSSING_M + 0.5 * crossing.width_m
         })
     };

@@ -7,6 +7,7 @@ use crate::vehicle::LaneCover;
 use crate::walk_strip::BODY_M;
 use crate::walker::Walker;
 use endless_world::math::f64::{atan2, wrap_angle};
+use endless_world::math::segment::share_along;
 
 /// How fast people turn, rad/s, and get going, m/s².
 const TURN_RATE: f64 = 3.5;
@@ -46,9 +47,8 @@ fn advance(walker: &mut Walker, roads: &Roads, step_s: f64) {
     let walks = &roads.network.walk;
     let [a, b] = walks.edges[walk.edge.index()].nodes.map(|node| walks.nodes[node.index()]);
     let kerb_m = |walker: &Walker| {
-        let side = b - a;
-        let u = (walker.position - a.truncate()).dot(side.truncate()) / side.truncate().length_squared().max(1e-9);
-        a.z + side.z * u.clamp(0.0, 1.0)
+        let along = share_along(walker.position, a.truncate(), b.truncate());
+        a.z + (b.z - a.z) * along
     };
     let beyond = walk.gone_m > walk.road_m[1];
     let level_m = match nearest {

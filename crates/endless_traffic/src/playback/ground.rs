@@ -2,6 +2,7 @@
 
 use endless_road::{CrossingId, LaneId, RoadNetwork, WalkKind};
 use endless_world::math::f64::wrap_angle;
+use endless_world::math::segment::share_along;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
@@ -116,9 +117,7 @@ impl GroundIndex {
             let walks = around(&self.walks, at, reach).into_iter().filter_map(|number| {
                 let edge = &network.walk.edges[number as usize];
                 let [a, b] = edge.nodes.map(|node| network.walk.nodes[node.index()]);
-                let along = (b - a).truncate();
-                let share = ((at - a.truncate()).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
-                let nearest = a.lerp(b, share);
+                let nearest = a.lerp(b, share_along(at, a.truncate(), b.truncate()));
                 let apart = nearest.truncate().distance(at);
                 // Vehicles are on the road wherever it is near.
                 let less = if on_foot { 0.0 } else { 2.0 };

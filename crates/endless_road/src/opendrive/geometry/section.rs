@@ -3,6 +3,7 @@
 use super::super::document::{LaneRecord, LaneSection};
 use super::profile::value_at;
 use super::road::RoadShape;
+use endless_world::math::segment::share_along;
 use glam::DVec3;
 
 /// Borders may leave the true curve by this, metres.
@@ -185,7 +186,7 @@ impl SectionSampler<'_> {
         let straight = a.1.iter().zip(b.1).enumerate().all(|(i, (&p, &q))| {
             let along = q - p;
             let near = |r: DVec3| {
-                let share = ((r - p).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+                let share = share_along(r, p, q);
                 (p + along * share).distance(r) < chord
             };
             let aligned = |r: DVec3, s: DVec3, most: f64| {

@@ -3,6 +3,7 @@
 use super::outline::{corners, rectangle};
 use super::sampled::SampledDocument;
 use crate::{Crossing, ImportNote, Lane};
+use endless_world::math::segment::share_along;
 use glam::{DVec2, DVec3};
 
 /// More crossings than this are no map of a town.
@@ -88,7 +89,7 @@ fn nearest_lane(lanes: &[Lane], place: DVec3) -> Option<DVec2> {
     for lane in lanes {
         for pair in lane.centerline.points().windows(2) {
             let (a, along) = (pair[0], pair[1] - pair[0]);
-            let t = ((place - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+            let t = share_along(place, a, pair[1]);
             let distance = (place - (a + along * t)).length_squared();
             if distance < best.0 {
                 best = (distance, Some(along.truncate().normalize_or_zero()));

@@ -6,6 +6,7 @@ use super::lane_surfaces::sidewalk_lift;
 use super::lane_types::is_walked;
 use super::sampled::SampledDocument;
 use crate::{Crossing, CrossingId, ImportNote, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
+use endless_world::math::segment::share_along;
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -178,7 +179,7 @@ impl WalkBuilder {
         for (i, edge) in self.edges.iter().enumerate().filter(|(_, edge)| edge.kind == WalkKind::Sidewalk) {
             let [a, b] = edge.nodes.map(|node| self.nodes[node.index()]);
             let along = b - a;
-            let t = ((end - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+            let t = share_along(end, a, b);
             let foot = a + along * t;
             let back = (-(foot - end).truncate().dot(outwards) - 1.0).max(0.0);
             let distance = foot.distance(end) + 3.0 * back;
@@ -195,7 +196,7 @@ impl WalkBuilder {
         for (i, edge) in self.edges.iter().enumerate().filter(|(_, edge)| edge.kind == WalkKind::Sidewalk) {
             let [a, b] = edge.nodes.map(|node| self.nodes[node.index()]);
             let along = b - a;
-            let t = ((place - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+            let t = share_along(place, a, b);
             let distance = place.distance(a + along * t);
             if distance < best.0 {
                 best = (distance, i);
@@ -242,7 +243,7 @@ fn simplified(line: &[DVec3]) -> Vec<DVec3> {
     while let Some((a, b)) = open.pop() {
         let along = line[b] - line[a];
         let off = |i: usize| {
-            let t = ((line[i] - line[a]).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+            let t = share_along(line[i], line[a], line[b]);
             line[i].distance(line[a] + along * t)
         };
         let Some(worst) = (a + 1..b).max_by(|&i, &j| off(i).total_cmp(&off(j))) else { continue };

@@ -2,6 +2,7 @@
 //! agree where they meet.
 
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
+use endless_world::math::segment::share_along;
 use glam::{DVec2, DVec3};
 
 /// Pieces that leave their chord by less than this are straight, metres.
@@ -81,7 +82,7 @@ impl FittedLine {
             for k in 0..n {
                 let (a, b) = (piece.point(share_at(k)), piece.point(share_at(k + 1)));
                 let along = b - a;
-                let share = ((place - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+                let share = share_along(place, a, b);
                 let there = a + along * share;
                 let distance = place.distance_squared(there);
                 if distance < best.0 {

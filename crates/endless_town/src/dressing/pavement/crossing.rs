@@ -1,6 +1,7 @@
 //! Where people cross the road: lines along it leave off there, no iron lies in it, nothing grows or parks before it.
 
 use endless_road::Crossing;
+use endless_world::math::segment::share_along;
 use glam::{DVec2, DVec3};
 
 /// Whether a place lies on a crossing, or nearer to its bars than `apart` metres.
@@ -19,7 +20,7 @@ pub(crate) fn holds(crossing: &Crossing, p: DVec3, apart: f64) -> bool {
 /// Whether a place, at any level, is nearer to a crossing than `apart` metres; round its ends, where people wait, too.
 pub(crate) fn is_near(crossing: &Crossing, p: DVec2, apart: f64) -> bool {
     let [a, b] = crossing.ends.map(DVec3::truncate);
-    let t = ((p - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
+    let t = share_along(p, a, b);
     a.lerp(b, t).distance(p) < apart + crossing.width_m / 2.0
 }
 

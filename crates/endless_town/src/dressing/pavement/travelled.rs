@@ -1,6 +1,7 @@
 //! Which strips across junctions show traces of wheels: those of the road that goes straight on.
 
 use endless_road::{LaneSurface, LaneType};
+use endless_world::math::segment::share_along;
 use glam::{DVec2, DVec3};
 
 /// Shorter strips have no traces of their own, metres.
@@ -69,7 +70,7 @@ fn segments_distance([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let cross = side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
     let to = |p: DVec2, q: DVec2, r: DVec2| {
-        let along = ((r - p).dot(q - p) / (q - p).length_squared().max(1e-12)).clamp(0.0, 1.0);
+        let along = share_along(r, p, q);
         p.lerp(q, along).distance(r)
     };
     let ends = [to(a, b, c), to(a, b, d), to(c, d, a), to(c, d, b)];

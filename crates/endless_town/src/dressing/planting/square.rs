@@ -11,6 +11,7 @@ use crate::geometry::{inside, unit};
 use endless_asset::Prop;
 use endless_road::{LandUse, LandUseArea, RoadNetwork};
 use endless_world::math::f64::atan2;
+use endless_world::math::segment::share_along;
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, Vec3};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -43,7 +44,7 @@ struct WalkSegment {
 impl WalkSegment {
     fn distance(&self, p: DVec2) -> f64 {
         let along = self.to - self.from;
-        let t = ((p - self.from).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+        let t = share_along(p, self.from, self.to);
         (self.from + along * t).distance(p) - self.half
     }
 }

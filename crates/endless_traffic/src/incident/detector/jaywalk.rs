@@ -3,6 +3,7 @@
 use super::detected::{DetectedIncident, runs};
 use super::history::StateHistory;
 use endless_road::Lane;
+use endless_world::math::segment::share_along;
 use endless_world::{Actor, IncidentKind, InstanceId};
 use glam::DVec3;
 
@@ -47,7 +48,7 @@ fn is_on_road(history: &StateHistory<'_>, actor: &Actor) -> bool {
     let crosses = || {
         history.network.crossings.iter().any(|crossing| {
             let [a, b] = crossing.ends.map(DVec3::truncate);
-            let u = ((at.truncate() - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
+            let u = share_along(at.truncate(), a, b);
             at.truncate().distance(a.lerp(b, u)) < 0.5 * crossing.width_m + BESIDE_M
         })
     };

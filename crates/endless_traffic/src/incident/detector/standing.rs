@@ -6,6 +6,7 @@ use super::detected::{DetectedIncident, runs};
 use super::history::StateHistory;
 use endless_road::Lane;
 use endless_road::swept::OrientedRectangle;
+use endless_world::math::segment::share_along;
 use endless_world::{IncidentKind, InstanceId, Motion, ObjectClass, VehicleLights};
 use glam::DVec3;
 
@@ -94,7 +95,7 @@ fn at_crossing(history: &StateHistory<'_>, body: &OrientedRectangle, z: f64) -> 
     history.network.crossings.iter().any(|crossing| {
         let [a, b] = crossing.ends.map(DVec3::truncate);
         let near = |at: &glam::DVec2| {
-            let u = ((*at - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
+            let u = share_along(*at, a, b);
             at.distance(a.lerp(b, u)) < 0.5 * crossing.width_m
         };
         (crossing.ends[0].z - z).abs() < STOREY_M && ways.iter().any(near)
