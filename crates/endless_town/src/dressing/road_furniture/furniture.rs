@@ -122,7 +122,7 @@ fn add_poles(assembly: &mut TownAssembly<'_>, mesh: &mut MeshBuilder, posts: &Ro
             }
             let here = verge.at.extend(verge.z);
             if let Some((_, before)) = last.filter(|l| s - l.0 < 1.8 * step) {
-                hang(mesh, before, here);
+                hang(mesh, sites, before, here);
             }
             last = Some((s, here));
         }
