@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Cuts rectangles at random from OpenStreetMap files, as somebody does who wants a few streets of a city.
 
-    scripts/cut_extracts.py FILE.osm... --out FOLDER [--count 20] [--seed 0] [--least 150] [--most 600]
+    scripts/cut_extracts.py FILE.osm... --out FOLDER [--count 20] [--seed 0] [--least 150] [--most 600] [--ways cut]
 
-Rectangles have sides of 150 to 600 m and hold at least one drivable way. Ways are cut at the rectangle: of each, the parts
-inside and the first node beyond. Standard library only.
+Rectangles have sides of 150 to 600 m and hold at least one drivable way. Ways with a node inside are whole, as OpenStreetMap's
+own export and `osmium extract` give them; with `--ways cut` they end at the rectangle: of each, the parts inside and the first
+node beyond. Standard library only.
 """
 
 import argparse
@@ -37,8 +38,8 @@ def parts_inside(refs, inside):
     return [part for part in [*parts, part] if len(part) > 1]
 
 
-def cut(root, rectangle):
-    """A rectangle (west, south, east, north) of a file; None without a drivable way."""
+def cut(root, rectangle, whole):
+    """A rectangle (west, south, east, north) of a file, with whole ways or cut ones; None without a drivable way."""
     west, south, east, north = rectangle
     nodes = {node.get("id"): node for node in root.iter("node")}
     inside = {
@@ -49,7 +50,8 @@ def cut(root, rectangle):
     ways, used, drivable = [], set(), 0
     for way in root.iter("way"):
         refs = [nd.get("ref") for nd in way.iter("nd") if nd.get("ref") in nodes]
-        for number, part in enumerate(parts_inside(refs, inside)):
+        parts = [refs] if whole and not inside.isdisjoint(refs) else [] if whole else parts_inside(refs, inside)
+        for number, part in enumerate(parts):
             copy = ElementTree.Element("way", dict(way.attrib))
             if number:
                 copy.set("id", f"{int(way.get('id')) + 1_000_000_000_000 * number}")
@@ -75,10 +77,11 @@ def cut(root, rectangle):
 
 def draw(random_numbers, root, least_m, most_m):
     """A rectangle around a node of a road."""
-    roads = [way for way in root.iter("way") if tags(way).get("highway") in DRIVABLE]
     nodes = {node.get("id"): node for node in root.iter("node")}
-    way = random_numbers.choice(roads)
-    refs = [nd.get("ref") for nd in way.iter("nd") if nd.get("ref") in nodes]
+    roads = [way for way in root.iter("way") if tags(way).get("highway") in DRIVABLE]
+    refs_of = [[nd.get("ref") for nd in way.iter("nd") if nd.get("ref") in nodes] for way in roads]
+    # A file may name ways whose nodes it lacks.
+    refs = random_numbers.choice([refs for refs in refs_of if refs])
     node = nodes[random_numbers.choice(refs)]
     lon, lat = float(node.get("lon")), float(node.get("lat"))
     height = random_numbers.uniform(least_m, most_m) / METRES_A_DEGREE
@@ -96,6 +99,7 @@ def main():
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--least", type=float, default=150.0)
     parser.add_argument("--most", type=float, default=600.0)
+    parser.add_argument("--ways", choices=["whole", "cut"], default="whole")
     arguments = parser.parse_args()
     roots = [(file, ElementTree.parse(file).getroot()) for file in arguments.files]
     roots = [(file, root) for file, root in roots if any(tags(way).get("highway") in DRIVABLE for way in root.iter("way"))]
@@ -106,7 +110,7 @@ def main():
     made = 0
     while made < arguments.count:
         file, root = roots[made % len(roots)]
-        extract = cut(root, draw(random_numbers, root, arguments.least, arguments.most))
+        extract = cut(root, draw(random_numbers, root, arguments.least, arguments.most), arguments.ways == "whole")
         if extract is not None:
             name = arguments.out / f"{file.stem}_{made:02}.osm"
             ElementTree.ElementTree(extract).write(name, encoding="utf-8", xml_declaration=True)

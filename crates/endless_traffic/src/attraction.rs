@@ -6,6 +6,7 @@
 use crate::demand::lane_demand;
 use crate::focus::{Focus, STEP_M, count_in, samples};
 use crate::queues::Queues;
+use crate::roundabout::going_round;
 use endless_road::{LaneId, RoadNetwork, WalkKind};
 use endless_world::Stream;
 use endless_world::math::f64::{exp, pow};
@@ -44,6 +45,8 @@ const UNSEEN_GOAL: f64 = 0.02;
 pub(crate) struct Attraction {
     pub(crate) focus: Focus,
     demand: Vec<f64>,
+    /// Factors on the likelihood of ways that lead on round a roundabout.
+    going_round: Vec<f64>,
     pub(crate) queues: Queues,
     /// Worth of going on with each lane, by view.
     worth_by_view: Vec<Vec<f64>>,
@@ -66,6 +69,7 @@ impl Attraction {
         let mut attraction = Self {
             focus: focus.clone(),
             demand,
+            going_round: going_round(network),
             queues: Queues::new(network),
             worth_by_view: Vec::new(),
             worth: Vec::new(),
@@ -151,15 +155,17 @@ impl Attraction {
 
     /// Factors on the likelihood of each of the lanes that may be taken next.
     pub(crate) fn preference(&self, choices: &[LaneId], drawn: bool) -> Vec<f64> {
+        let open =
+            |lane: &LaneId| self.going_round.get(lane.index()).copied().unwrap_or(1.0) * self.queues.openness(*lane);
         if !drawn || self.worth.is_empty() {
             let demand = |lane: &LaneId| self.demand.get(lane.index()).copied().unwrap_or(1.0);
-            return choices.iter().map(|lane| demand(lane) * self.queues.openness(*lane)).collect();
+            return choices.iter().map(|lane| demand(lane) * open(lane)).collect();
         }
         let worth = |lane: &LaneId| self.worth.get(lane.index()).copied().unwrap_or(1.0);
         let best = choices.iter().map(worth).fold(1e-9, f64::max);
         let share = |lane: &LaneId| worth(lane) / best;
         let likelihood = |lane: &LaneId| LEAST + (1.0 - LEAST) * pow(share(lane), 6.0);
-        choices.iter().map(|lane| likelihood(lane) * self.queues.openness(*lane)).collect()
+        choices.iter().map(|lane| likelihood(lane) * open(lane)).collect()
     }
 
     /// Relative density of vehicles wanted at a place on a lane. Of those who come to what is seen so that they are there when

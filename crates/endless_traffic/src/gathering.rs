@@ -25,7 +25,7 @@ pub(crate) const LEADS_M: f64 = 110.0;
 /// Sidewalk that a person needs where they are seen, metres.
 const WALK_M: f64 = 2.5;
 /// Vehicles are set down in sight up to this long before the first frame, and out of sight up to that, seconds.
-const LAST_IN_SIGHT_S: f64 = 7.0;
+const LAST_IN_SIGHT_S: f64 = 3.0;
 const LAST_S: f64 = 1.0;
 /// People are set down so long before the first frame, seconds.
 const PEOPLE_S: [f64; 2] = [8.0, 5.0];
@@ -37,7 +37,7 @@ const TRIES: usize = 120;
 const MISSES: u32 = 3;
 /// Gap to those ahead and behind of who is set down, metres, and what is added for their speed, seconds and m/s².
 const GAP_M: f64 = 2.5;
-const GAP_S: f64 = 0.8;
+const GAP_S: f64 = 0.5;
 const GAP_BRAKING_MPS2: f64 = 2.5;
 /// Room kept to other bodies, metres.
 const CLEAR_M: f64 = 0.5;

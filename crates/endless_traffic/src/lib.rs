@@ -104,6 +104,7 @@ mod queue_tail;
 mod queues;
 mod rerouting;
 mod roads;
+mod roundabout;
 mod settings;
 mod signals;
 mod simulation;

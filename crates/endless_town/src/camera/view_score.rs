@@ -34,6 +34,9 @@ pub(crate) const LEAST_PAVED: f32 = 0.32;
 /// Least share on road or sidewalk.
 pub(crate) const LEAST_STREET: f32 = 0.27;
 
+/// Lane outside junctions with which a view counts whole, metres: two lanes for 100 m; and what counts without any.
+const MUCH_LANE_M: f32 = 200.0;
+const LEAST_LANES: f32 = 0.3;
 /// Least weight of places of people in a picture of a square or a park.
 const LEAST_PEOPLE: f32 = 2.5;
 
@@ -60,6 +63,8 @@ pub(crate) struct ViewContents {
     pub(crate) sizes: [f32; 3],
     /// Places of people.
     pub(crate) people: f32,
+    /// Lane outside junctions, metres.
+    pub(crate) lanes_m: f32,
 }
 
 impl ViewContents {
@@ -82,6 +87,8 @@ struct ExpectedTraffic {
     /// Typical width of what is there, metres.
     size: f32,
     person: bool,
+    /// Lane outside junctions of which it is the place, metres.
+    lane_m: f32,
 }
 
 /// Judges sites of one town.
@@ -102,7 +109,8 @@ impl<'a> ViewScorer<'a> {
             let weight = if lane.junction.is_some() { 0.3 } else { busy };
             let steps = (lane.centerline.length() / 5.0).ceil() as usize;
             let along = (0..steps).map(|i| lane.centerline.at(5.0 * i as f64).position.as_vec3());
-            expected.extend(along.map(|at| ExpectedTraffic { at, weight, size: 2.4, person: false }));
+            let lane_m = if lane.junction.is_some() { 0.0 } else { 5.0 };
+            expected.extend(along.map(|at| ExpectedTraffic { at, weight, size: 2.4, person: false, lane_m }));
         }
         for crossing in &network.crossings {
             let [a, b] = crossing.ends.map(glam::DVec3::as_vec3);
@@ -111,11 +119,18 @@ impl<'a> ViewScorer<'a> {
                 weight: 0.8,
                 size: 1.0,
                 person: true,
+                lane_m: 0.0,
             }));
         }
         let walkers = network.walk.nodes.iter().map(|n| n.as_vec3());
-        expected.extend(walkers.map(|at| ExpectedTraffic { at, weight: 0.5, size: 1.0, person: true }));
-        expected.extend(parked.iter().map(|&at| ExpectedTraffic { at, weight: 1.2, size: 2.4, person: false }));
+        expected.extend(walkers.map(|at| ExpectedTraffic { at, weight: 0.5, size: 1.0, person: true, lane_m: 0.0 }));
+        expected.extend(parked.iter().map(|&at| ExpectedTraffic {
+            at,
+            weight: 1.2,
+            size: 2.4,
+            person: false,
+            lane_m: 0.0,
+        }));
         Self { relief, expected, posts, reach_m: REACH_M, far_spot_m: FAR_SPOT_M }
     }
 
@@ -200,6 +215,7 @@ impl<'a> ViewScorer<'a> {
             let pixels = spot.size * camera.intrinsics.fx / depth;
             let class = usize::from(pixels > 32.0) + usize::from(pixels > 96.0);
             seen.sizes[class] += spot.weight;
+            seen.lanes_m += spot.lane_m;
             if spot.person {
                 seen.people += spot.weight;
             } else {
@@ -279,6 +295,26 @@ impl ViewContents {
         let walk = 0.8 * enough(self.walk, 0.1);
         let empty = 8.0 * (self.junction_low - 0.2).max(0.0) + 7.0 * (self.junction - 0.22).max(0.0);
         let hidden = 5.0 * self.solid_near + 3.0 * (self.solid - 0.4).max(0.0);
-        Some((traffic + people + filled + near + sky + surroundings + walk - empty - hidden).max(0.05))
+        let whole = traffic + people + filled + near + sky + surroundings + walk - empty - hidden;
+        // What sees a glimpse of a street shows little of its traffic.
+        let lanes = LEAST_LANES + (1.0 - LEAST_LANES) * enough(self.lanes_m, MUCH_LANE_M);
+        Some((whole * lanes).max(0.05))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_street_is_worth_more_until_there_is_much() {
+        let worth = |lanes_m| {
+            let seen =
+                ViewContents { road: 0.4, walk: 0.2, nearest_m: 10.0, sizes: [6.0, 16.0, 4.0], ..Default::default() };
+            ViewContents { lanes_m, ..seen }.quality(ViewKind::Street).expect("a view of a street")
+        };
+        let [none, some, much, more] = [0.0, 100.0, MUCH_LANE_M, 2.0 * MUCH_LANE_M].map(worth);
+        assert!(none < some && some < much && much == more, "{none} {some} {much} {more}");
+        assert!((none / much - LEAST_LANES).abs() < 1e-4, "a glimpse of a street: {none} of {much}");
     }
 }
