@@ -89,6 +89,7 @@ mod midblock;
 mod occupancy;
 mod outing;
 mod overlap;
+mod parked_beside;
 mod parking;
 mod parking_manoeuvre;
 mod parking_place;

@@ -7,6 +7,7 @@ use crate::midblock::MidblockWays;
 use crate::overlap::{
     ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, SweptBeside, alongside, make_room, siblings,
 };
+use crate::parked_beside::ParkedBeside;
 use crate::sitting::BenchPlaces;
 use crate::stop_places::StopPlaces;
 use crate::turn_lane;
@@ -111,6 +112,8 @@ pub(crate) struct Roads {
     pub(crate) stop_places: Arc<StopPlaces>,
     /// Where people sit.
     pub(crate) benches: Arc<BenchPlaces>,
+    /// Parked vehicles that reach over walks.
+    pub(crate) parked_beside: Arc<ParkedBeside>,
 }
 
 impl Roads {
@@ -122,6 +125,7 @@ impl Roads {
             midblock: Arc::default(),
             stop_places: Arc::default(),
             benches: Arc::default(),
+            parked_beside: Arc::default(),
         }
     }
 }

@@ -17,6 +17,7 @@ use crate::jaywalk::{Roadway, people_on_lanes};
 use crate::junction_controller::JunctionController;
 use crate::midblock::MidblockWays;
 use crate::occupancy::Occupancy;
+use crate::parked_beside::ParkedBeside;
 use crate::parking::KerbParking;
 use crate::parking_places::parking_places;
 use crate::playback::{Playback, PlayedTracks, Presence};
@@ -148,6 +149,7 @@ impl Simulation {
         }
         roads.stop_places = Arc::new(StopPlaces::new(&roads.network, &settings.bus_stops, BODY_M));
         roads.benches = Arc::new(BenchPlaces::new(&roads.network, &settings.bench_seats, BODY_M));
+        roads.parked_beside = Arc::new(ParkedBeside::new(&roads.network, fleet.vehicles, parked));
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let mut vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);

@@ -362,7 +362,7 @@ impl Walker {
         };
         let change = free + makes_way - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
-        self.advance(near, &way, kerb, step_s);
+        self.advance(roads, near, &way, kerb, step_s);
         let waits_for = self.jaywalk.as_deref().and_then(Jaywalk::waits_for).or(bus_from);
         let talks_to = talks_at.and_then(|_| self.talks_to(company));
         if talks_to.is_some() {
@@ -472,13 +472,15 @@ impl Walker {
         }
     }
 
-    /// Moves, but never into somebody, and not off the sidewalk to get past them.
-    fn advance(&mut self, near: &[Passer], way: &Footway<'_>, waits: bool, step_s: f64) {
+    /// Moves, but never into somebody or a parked vehicle, and not off the sidewalk to get past them.
+    fn advance(&mut self, roads: &Roads, near: &[Passer], way: &Footway<'_>, waits: bool, step_s: f64) {
         let here = way.outside(self.position);
         // On a crossing there is room for a body beside those who come the other way.
         let beside = if way.strip.kind == WalkKind::Sidewalk { 0.0 } else { BODY_M };
         let stays = |v: &DVec2| way.outside(self.position + *v * step_s) <= here.max(beside) + 1e-9;
-        let bodies = bounds_of_bodies(self.position, near, self.apart_m(), step_s);
+        let mut bodies = bounds_of_bodies(self.position, near, self.apart_m(), step_s);
+        let parked = |&(edge, _): &(WalkEdgeId, _)| roads.parked_beside.bounds(edge, self.position, step_s);
+        bodies.extend(self.way.iter().take(2).flat_map(parked));
         let along_edges = |strip: &DirectedEdge| {
             let edges = bounds_of_strip(strip, self.position, beside, step_s);
             nearest_within(&[&bodies[..], &edges].concat(), self.velocity)
