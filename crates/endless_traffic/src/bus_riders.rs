@@ -1,7 +1,7 @@
 //! People who get on and off buses: one after another, the nearest first, by the front door of a bus that stands at its stop. Who is
 //! inside is not seen; they come out again at another stop.
 
-use crate::body_contact::{bound, bounds_of_bodies, nearest_within};
+use crate::body_contact::{bound, nearest_within};
 use crate::bus_errand::{BusErrand, Ride, Through};
 use crate::bus_stop::DOOR_M;
 use crate::kerb_room::sign;
@@ -152,7 +152,7 @@ impl Walker {
         let wanted = left.normalize_or_zero() * PACE_MPS.min(3.0 * left.length() + 0.2);
         self.intent = wanted;
         let change = (wanted - self.velocity).clamp_length_max(ACCELERATION * step_s);
-        let mut bounds = bounds_of_bodies(self.position, near, APART_M, step_s);
+        let mut bounds = self.bounds_of_bodies(roads, near, APART_M, step_s);
         if gets_on && through.next == 0 {
             // Past the others, but not into the bus beside its door.
             let out = (through.points[0] - through.inside).normalize_or_zero();

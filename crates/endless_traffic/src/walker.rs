@@ -1,7 +1,7 @@
 //! People on foot: they walk to random places for ever, keep to their right, step around one another, and cross roads
 //! at crossings when they may.
 
-use crate::body_contact::{bounds_of_bodies, bounds_of_strip, nearest_within};
+use crate::body_contact::{Bound, bounds_of_bodies, bounds_of_strip, nearest_within};
 use crate::bus_errand::{BusErrand, Ride};
 use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
@@ -478,9 +478,7 @@ impl Walker {
         // On a crossing there is room for a body beside those who come the other way.
         let beside = if way.strip.kind == WalkKind::Sidewalk { 0.0 } else { BODY_M };
         let stays = |v: &DVec2| way.outside(self.position + *v * step_s) <= here.max(beside) + 1e-9;
-        let mut bodies = bounds_of_bodies(self.position, near, self.apart_m(), step_s);
-        let parked = |&(edge, _): &(WalkEdgeId, _)| roads.parked_beside.bounds(edge, self.position, step_s);
-        bodies.extend(self.way.iter().take(2).flat_map(parked));
+        let bodies = self.bounds_of_bodies(roads, near, self.apart_m(), step_s);
         let along_edges = |strip: &DirectedEdge| {
             let edges = bounds_of_strip(strip, self.position, beside, step_s);
             nearest_within(&[&bodies[..], &edges].concat(), self.velocity)
@@ -492,6 +490,14 @@ impl Walker {
         self.walked += step.length();
         self.position += step;
         self.gait = self.steps.gait(self.velocity.length(), waits);
+    }
+
+    /// The bounds that people near by and parked vehicles put on their velocity for a step.
+    pub(crate) fn bounds_of_bodies(&self, roads: &Roads, near: &[Passer], apart_m: f64, step_s: f64) -> Vec<Bound> {
+        let mut bounds = bounds_of_bodies(self.position, near, apart_m, step_s);
+        let parked = |&(edge, _): &(WalkEdgeId, _)| roads.parked_beside.bounds(edge, self.position, step_s);
+        bounds.extend(self.way.iter().take(2).flat_map(parked));
+        bounds
     }
 
     fn turn(&mut self, strip: &DirectedEdge, waits_for: Option<DVec2>, step_s: f64) {
