@@ -1,7 +1,5 @@
 //! Parked vehicles that reach over a walk: nobody walks into them.
 
-use crate::body_contact::{Bound, bound};
-use crate::walk_strip::BODY_M;
 use endless_road::swept::OrientedRectangle;
 use endless_road::{RoadNetwork, WalkEdgeId};
 use endless_world::math::segment::share_along;
@@ -14,11 +12,16 @@ const STOREY_M: f64 = 2.0;
 
 /// The bodies of parked vehicles by the edges of the walk network whose walkers could touch them.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ParkedBeside(BTreeMap<WalkEdgeId, Vec<OrientedRectangle>>);
+pub(crate) struct ParkedBeside {
+    by_edge: BTreeMap<WalkEdgeId, Vec<OrientedRectangle>>,
+    /// Radius of a person, metres.
+    body_m: f64,
+}
 
 impl ParkedBeside {
-    pub(crate) fn new(network: &RoadNetwork, specs: &[VehicleSpec], parked: &[ParkedVehicle]) -> Self {
-        let mut beside: BTreeMap<WalkEdgeId, Vec<OrientedRectangle>> = BTreeMap::new();
+    /// Beside the ways of people who are discs of this radius, metres.
+    pub(crate) fn new(network: &RoadNetwork, specs: &[VehicleSpec], parked: &[ParkedVehicle], body_m: f64) -> Self {
+        let mut by_edge: BTreeMap<WalkEdgeId, Vec<OrientedRectangle>> = BTreeMap::new();
         for ParkedVehicle { vehicle, pose } in parked {
             let spec = &specs[vehicle.model.index()];
             let at = pose.position.as_dvec3();
@@ -27,22 +30,22 @@ impl ParkedBeside {
                 let [a, b] = edge.nodes.map(|node| network.walk.nodes[node.index()]);
                 let nearest = a.lerp(b, share_along(at.truncate(), a.truncate(), b.truncate()));
                 let apart_m = nearest.truncate().distance(at.truncate());
-                let reach_m = body.half.length() + 0.5 * edge.width_m + 2.0 * BODY_M;
+                let reach_m = body.half.length() + 0.5 * edge.width_m + 2.0 * body_m;
                 if apart_m < reach_m && (nearest.z - at.z).abs() < STOREY_M {
-                    beside.entry(WalkEdgeId(number)).or_default().push(body);
+                    by_edge.entry(WalkEdgeId(number)).or_default().push(body);
                 }
             }
         }
-        Self(beside)
+        Self { by_edge, body_m }
     }
 
-    /// The bounds that those beside an edge put on the velocity of somebody at a place, for a step.
-    pub(crate) fn bounds(&self, edge: WalkEdgeId, at: DVec2, step_s: f64) -> impl Iterator<Item = Bound> {
-        self.0.get(&edge).into_iter().flatten().filter_map(move |body| {
+    /// Where those beside an edge are, from somebody at a place: the direction, and the room between both bodies, metres.
+    pub(crate) fn around(&self, edge: WalkEdgeId, at: DVec2) -> impl Iterator<Item = (DVec2, f64)> {
+        self.by_edge.get(&edge).into_iter().flatten().filter_map(move |body| {
             let away = nearest(body, at) - at;
             let distance = away.length();
             // Whose middle is inside already has to get out.
-            (distance > 1e-6).then(|| bound(away / distance, distance - BODY_M, step_s))
+            (distance > 1e-6).then(|| (away / distance, distance - self.body_m))
         })
     }
 }
@@ -58,15 +61,13 @@ fn nearest(body: &OrientedRectangle, at: DVec2) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body_contact::nearest_within;
     use endless_road::{WalkEdge, WalkKind, WalkNetwork};
     use endless_world::{Pose, VehicleModelId, VehicleRef};
     use glam::DVec3;
 
     #[test]
-    fn who_walks_towards_a_parked_vehicle_comes_up_to_it_and_past_it() {
+    fn parked_vehicles_are_around_who_walks_beside_them_on_their_level() {
         let specs = [VehicleSpec::default()];
-        let half_width = 0.5 * f64::from(specs[0].width_m);
         let edge = |z: f64, first: u32| {
             let nodes = [first, first + 1].map(endless_road::WalkNodeId);
             (
@@ -79,15 +80,19 @@ mod tests {
         let network = RoadNetwork { walk, ..RoadNetwork::default() };
         let vehicle = VehicleRef { model: VehicleModelId::from_index(0), variant: 0 };
         let parked = ParkedVehicle { vehicle, pose: Pose::default() };
-        let beside = ParkedBeside::new(&network, &specs, &[parked]);
-        assert_eq!(beside.bounds(WalkEdgeId(1), DVec2::ZERO, 0.1).count(), 0, "it stands below the bridge");
-        let mut at = DVec2::new(0.3, 3.0);
-        for _ in 0..100 {
-            let bounds: Vec<Bound> = beside.bounds(WalkEdgeId(0), at, 0.1).collect();
-            assert_eq!(bounds.len(), 1);
-            at += nearest_within(&bounds, DVec2::new(0.1, -1.0)) * 0.1;
-        }
-        assert!((at.y - half_width - BODY_M).abs() < 1e-6, "comes up to its side, {at}");
-        assert!((at.x - 1.3).abs() < 1e-6, "and goes on along it, {at}");
+        let beside = ParkedBeside::new(&network, &specs, &[parked], 0.25);
+        let around = |edge: u32, at: DVec2| beside.around(WalkEdgeId(edge), at).collect::<Vec<_>>();
+        assert_eq!(around(1, DVec2::new(0.3, 3.0)), [], "it stands below the bridge");
+        let half = 0.5 * DVec2::new(f64::from(specs[0].length_m), f64::from(specs[0].width_m));
+        let is_there = |at: DVec2, direction: DVec2, room_m: f64| {
+            let found = around(0, at);
+            let [(seen, room)] = found[..] else { return false };
+            seen.distance(direction) < 1e-6 && (room - room_m).abs() < 1e-6
+        };
+        assert!(is_there(DVec2::new(0.3, 3.0), -DVec2::Y, 3.0 - half.y - 0.25), "to its side");
+        let aslant = DVec2::new(-3.0, -4.0);
+        assert!(is_there(half - aslant, aslant / 5.0, 5.0 - 0.25), "to its corner");
+        assert!(is_there(DVec2::new(0.0, half.y + 0.2), -DVec2::Y, -0.05), "who touches it has no room");
+        assert_eq!(around(0, DVec2::ZERO), []);
     }
 }

@@ -149,7 +149,7 @@ impl Simulation {
         }
         roads.stop_places = Arc::new(StopPlaces::new(&roads.network, &settings.bus_stops, BODY_M));
         roads.benches = Arc::new(BenchPlaces::new(&roads.network, &settings.bench_seats, BODY_M));
-        roads.parked_beside = Arc::new(ParkedBeside::new(&roads.network, fleet.vehicles, parked));
+        roads.parked_beside = Arc::new(ParkedBeside::new(&roads.network, fleet.vehicles, parked, BODY_M));
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let mut vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);

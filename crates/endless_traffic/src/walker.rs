@@ -1,7 +1,7 @@
 //! People on foot: they walk to random places for ever, keep to their right, step around one another, and cross roads
 //! at crossings when they may.
 
-use crate::body_contact::{Bound, bounds_of_bodies, bounds_of_strip, nearest_within};
+use crate::body_contact::{Bound, bound, bounds_of_bodies, bounds_of_strip, nearest_within};
 use crate::bus_errand::{BusErrand, Ride};
 use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
@@ -495,8 +495,8 @@ impl Walker {
     /// The bounds that people near by and parked vehicles put on their velocity for a step.
     pub(crate) fn bounds_of_bodies(&self, roads: &Roads, near: &[Passer], apart_m: f64, step_s: f64) -> Vec<Bound> {
         let mut bounds = bounds_of_bodies(self.position, near, apart_m, step_s);
-        let parked = |&(edge, _): &(WalkEdgeId, _)| roads.parked_beside.bounds(edge, self.position, step_s);
-        bounds.extend(self.way.iter().take(2).flat_map(parked));
+        let parked = self.way.iter().take(2).flat_map(|(edge, _)| roads.parked_beside.around(*edge, self.position));
+        bounds.extend(parked.map(|(direction, room_m)| bound(direction, room_m, step_s)));
         bounds
     }
 
