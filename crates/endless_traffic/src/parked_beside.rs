@@ -10,6 +10,9 @@ use std::collections::BTreeMap;
 /// Who is further above or below is on another level, metres.
 const STOREY_M: f64 = 2.0;
 
+/// People who come from a walk, to a bus or a bench, are no further off it than this, metres.
+const OFF_M: f64 = 3.0;
+
 /// The bodies of parked vehicles by the edges of the walk network whose walkers could touch them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ParkedBeside {
@@ -30,7 +33,7 @@ impl ParkedBeside {
                 let [a, b] = edge.nodes.map(|node| network.walk.nodes[node.index()]);
                 let nearest = a.lerp(b, share_along(at.truncate(), a.truncate(), b.truncate()));
                 let apart_m = nearest.truncate().distance(at.truncate());
-                let reach_m = body.half.length() + 0.5 * edge.width_m + 2.0 * body_m;
+                let reach_m = body.half.length() + 0.5 * edge.width_m + OFF_M;
                 if apart_m < reach_m && (nearest.z - at.z).abs() < STOREY_M {
                     by_edge.entry(WalkEdgeId(number)).or_default().push(body);
                 }

@@ -2,7 +2,7 @@
 
 use super::errand::{AGAIN_S, Phase, Rest, eased};
 use super::places::BenchPlace;
-use crate::body_contact::{bounds_of_bodies, nearest_within};
+use crate::body_contact::nearest_within;
 use crate::people_grid::Passer;
 use crate::roads::Roads;
 use crate::walk_strip::{APART_M, height};
@@ -81,7 +81,7 @@ impl Walker {
         let before = self.before_seat(&place);
         let next = match rest.phase {
             Phase::Comes | Phase::Leaves => {
-                let there = self.walk_to(before, near, step_s);
+                let there = self.walk_to(roads, before, near, step_s);
                 match (there, rest.since_s > TRIES_S) {
                     (true, _) => rest.to(Phase::Turns),
                     (_, true) => rest.to(Phase::Returns),
@@ -89,7 +89,7 @@ impl Walker {
                 }
             }
             Phase::Turns => {
-                self.walk_to(before, near, step_s);
+                self.walk_to(roads, before, near, step_s);
                 let off = wrap_angle(place.yaw - self.yaw);
                 self.yaw = wrap_angle(self.yaw + (off * 4.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
                 let settled = rest.since_s > SETTLES_S && off.abs() < TURNED_RAD && self.velocity.length() < 0.05;
@@ -119,7 +119,7 @@ impl Walker {
                 share => Some(Rest { phase: Phase::GetsUp(share), ..rest }),
             },
             Phase::Returns => {
-                let there = self.walk_to(place.from, near, step_s);
+                let there = self.walk_to(roads, place.from, near, step_s);
                 if there || rest.since_s > TRIES_S { None } else { Some(rest) }
             }
         };
@@ -163,12 +163,12 @@ impl Walker {
     }
 
     /// A step towards a point beside the sidewalk; whether they have come there.
-    fn walk_to(&mut self, point: DVec2, near: &[Passer], step_s: f64) -> bool {
+    fn walk_to(&mut self, roads: &Roads, point: DVec2, near: &[Passer], step_s: f64) -> bool {
         let left = point - self.position;
         let wanted = left.normalize_or_zero() * PACE_MPS.min(2.5 * left.length());
         self.intent = wanted;
         let change = (wanted - self.velocity).clamp_length_max(ACCELERATION * step_s);
-        let bounds = bounds_of_bodies(self.position, near, APART_M, step_s);
+        let bounds = self.bounds_of_bodies(roads, near, APART_M, step_s);
         self.velocity = nearest_within(&bounds, self.velocity + change);
         self.position += self.velocity * step_s;
         if self.velocity.length() > 0.25 {
