@@ -24,6 +24,18 @@ fn blended(parts: &[(&Weights, f32)]) -> Weights {
     out
 }
 
+/// Corners of its own for a triangle that looks away from the normals that it shares: on the inner side of a hem that is turned.
+fn creased(mesh: &mut Mesh, weights: &mut Vec<Weights>, triangle: [u32; 3], across: Vec3) -> [u32; 3] {
+    triangle.map(|i| {
+        let i = i as usize;
+        mesh.positions.push(mesh.positions[i]);
+        mesh.uvs.push(mesh.uvs[i]);
+        mesh.normals.push(across.normalize());
+        weights.push(weights[i]);
+        (mesh.positions.len() - 1) as u32
+    })
+}
+
 impl Cage {
     /// Adds a point and returns its number.
     pub(crate) fn point(&mut self, at: Vec3, weights: Weights) -> u32 {
@@ -148,6 +160,7 @@ impl Cage {
             positions: moved.points,
             ..Mesh::default()
         };
+        let mut weights = moved.weights;
         for &([a, b, c, d], material) in &moved.faces {
             let m = mesh.material_index(material);
             let p = |i: u32| mesh.positions[i as usize];
@@ -158,13 +171,16 @@ impl Cage {
                 [[b, c, d], [b, d, a]]
             };
             for t in halves {
-                let area = (p(t[1]) - p(t[0])).cross(p(t[2]) - p(t[0])).length();
-                if area > 4e-9 {
+                let corners = t.map(|i| mesh.positions[i as usize]);
+                let across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+                if across.length() > 4e-9 {
+                    let shading: Vec3 = t.iter().map(|&i| mesh.normals[i as usize]).sum();
+                    let t = if shading.dot(across) < 0.0 { creased(&mut mesh, &mut weights, t, across) } else { t };
                     mesh.triangles.push(t);
                     mesh.triangle_materials.push(m);
                 }
             }
         }
-        skin.add_mesh(&mesh, |i, _| moved.weights[i]);
+        skin.add_mesh(&mesh, |i, _| weights[i]);
     }
 }
