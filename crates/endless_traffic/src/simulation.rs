@@ -43,9 +43,7 @@ use std::sync::Arc;
 
 /// Longest step, seconds.
 const STEP_S: f64 = 1.0 / 30.0;
-/// Simulated before frame 0, seconds.
-const WARM_UP_S: f64 = 25.0;
-/// The same where nobody is simulated: trailers and feet come to where the tracks lead them, seconds.
+/// Simulated before frame 0 where nobody is simulated: trailers and feet come to where the tracks lead them, seconds.
 const PLAYBACK_WARM_UP_S: f64 = 5.0;
 
 /// Everything that moves in one scene.
@@ -142,7 +140,8 @@ impl Simulation {
         // Those who play tracks know nothing of who parks.
         let bays = if played.is_some() { &[][..] } else { &settings.parking_bays };
         let places = parking_places(&roads, bays, &standing, &bus_halts);
-        let parking = KerbParking::new(places, settings.profile.parked, settings.seed, -WARM_UP_S);
+        let warm_up_s = spawn::warm_up_s(&roads, fleet.vehicles.len());
+        let parking = KerbParking::new(places, settings.profile.parked, settings.seed, -warm_up_s);
         if settings.jaywalking > 0.0 {
             let in_the_way: Vec<_> = standing.iter().copied().chain(parking.swept()).collect();
             roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &in_the_way));
@@ -184,7 +183,7 @@ impl Simulation {
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let courtesies = courtesy::courtesies(network);
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
-        let warm_up_s = if alone { PLAYBACK_WARM_UP_S } else { WARM_UP_S };
+        let warm_up_s = if alone { PLAYBACK_WARM_UP_S } else { warm_up_s };
         let warm_up_frames = (warm_up_s * fps).ceil() as u32;
         let mut simulation = Self {
             roads,

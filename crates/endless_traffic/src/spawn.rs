@@ -52,6 +52,13 @@ const JAM_PER_KM: f64 = 145.0;
 /// quarter in the centre of Yokohama (Geroliminis and Daganzo 2008, "Existence of urban-scale macroscopic fundamental diagrams").
 const CRITICAL_SHARE: f64 = 0.25;
 
+/// Simulated before a scene's first frame, at most, seconds.
+const WARM_UP_S: f64 = 25.0;
+/// Of which vehicles need so much to come up to speed, seconds.
+const SPEED_UP_S: f64 = 5.0;
+/// Metres of lane for which a second more is needed.
+const LANES_MIXED_MPS: f64 = 100.0;
+
 /// How many vehicles find room on the lanes on which they circulate.
 pub(crate) fn capacity(roads: &RoadTables, models: usize) -> usize {
     let room = if roads.borders.are_open() { OPEN_ROOM_M } else { ROOM_M };
@@ -69,11 +76,21 @@ impl TrafficMap {
 /// So many a metre of the lanes on which vehicles circulate.
 fn as_many_as(roads: &RoadTables, models: usize, per_metre: f64) -> usize {
     let points = points(roads, models);
+    points.len().min((lanes_m(roads, &points) * per_metre).ceil() as usize)
+}
+
+/// How long the lanes are on which vehicles can spawn, metres.
+fn lanes_m(roads: &RoadTables, points: &[SpawnPoint]) -> f64 {
     let mut lanes: Vec<_> = points.iter().map(|p| p.lane).collect();
     lanes.sort_unstable();
     lanes.dedup();
-    let metres: f64 = lanes.iter().map(|&lane| roads.table(lane).length).sum();
-    points.len().min((metres * per_metre).ceil() as usize)
+    lanes.iter().map(|&lane| roads.table(lane).length).sum()
+}
+
+/// For how long a scene is simulated before its first frame, seconds: until who stood has come up to speed and has met others at
+/// junctions. A small map is soon driven through; later most would stand before its one junction.
+pub(crate) fn warm_up_s(roads: &RoadTables, models: usize) -> f64 {
+    (SPEED_UP_S + lanes_m(roads, &points(roads, models)) / LANES_MIXED_MPS).min(WARM_UP_S)
 }
 
 /// The bodies of parked vehicles, with room around them.

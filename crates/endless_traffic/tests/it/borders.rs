@@ -53,6 +53,21 @@ fn junction() -> RoadNetwork {
     RoadNetwork { lanes, junctions, ..RoadNetwork::default() }.finish().expect("a sound network")
 }
 
+/// Two streets of one lane that cross; all must stop.
+fn crossing() -> RoadNetwork {
+    let mut lanes = Vec::new();
+    for [x, y] in [[1.0, 0.0], [0.0, 1.0]] {
+        let (id, at) = (lanes.len() as u32, |m: f64| [x * m, y * m]);
+        let stops = straight(id, at(-110.0), at(-10.0), &[id + 1]);
+        lanes.push(Lane { end_control: TrafficControl::Stop, ..stops });
+        let inside = straight(id + 1, at(-10.0), at(10.0), &[id + 2]);
+        lanes.push(Lane { junction: Some(JunctionId(0)), turn: Turn::Straight, ..inside });
+        lanes.push(straight(id + 2, at(10.0), at(110.0), &[]));
+    }
+    let junctions = vec![Junction { lanes: vec![LaneId(1), LaneId(4)], ..Junction::default() }];
+    RoadNetwork { lanes, junctions, ..RoadNetwork::default() }.finish().expect("a sound network")
+}
+
 /// How far along its lane somebody is.
 fn place(actor: &Actor) -> (u32, f64) {
     let lane = actor.behaviour.lane.expect("vehicles are on lanes");
@@ -123,6 +138,25 @@ fn thirty_metres_of_a_lane_hold_somebody() {
         there += s.state().actors.len();
     }
     assert!(there > 300, "somebody is there in most frames, not {there} of 600");
+}
+
+/// Half of thirty, on a map whose one junction lets few pass: a scene does not begin when all wait before it.
+#[test]
+fn a_scene_of_a_small_map_begins_in_motion() {
+    let network = crossing();
+    for seed in 0..4 {
+        let mut s = simulation(&network, &specs(), &asked(30, seed));
+        let before = s.state().actors;
+        (0..FPS as u32).for_each(|_| s.tick());
+        let after: BTreeMap<InstanceId, Actor> = s.state().actors.into_iter().map(|a| (a.id, a)).collect();
+        // Who has left has moved.
+        let stands = |actor: &&Actor| {
+            let now = after.get(&actor.id);
+            now.is_some_and(|now| now.pose.position.distance(actor.pose.position) < 0.2)
+        };
+        let moving = before.len() - before.iter().filter(stands).count();
+        assert!(moving >= 15, "seed {seed}: {moving} of {} move", before.len());
+    }
 }
 
 #[test]
