@@ -6,11 +6,11 @@
 use crate::demand::lane_demand;
 use crate::focus::{Focus, STEP_M, count_in, samples};
 use crate::queues::Queues;
-use crate::roundabout::going_round;
 use endless_road::{LaneId, RoadNetwork, WalkKind};
 use endless_world::Stream;
 use endless_world::math::f64::{exp, pow};
 use glam::{DVec2, DVec3, Vec3};
+use std::sync::Arc;
 
 /// Density where the cameras look over that far away, less 1.
 const DENSITY: f64 = 36.0;
@@ -46,7 +46,7 @@ pub(crate) struct Attraction {
     pub(crate) focus: Focus,
     demand: Vec<f64>,
     /// Factors on the likelihood of ways that lead on round a roundabout.
-    going_round: Vec<f64>,
+    going_round: Arc<[f64]>,
     pub(crate) queues: Queues,
     /// Worth of going on with each lane, by view.
     worth_by_view: Vec<Vec<f64>>,
@@ -61,7 +61,8 @@ pub(crate) struct Attraction {
 }
 
 impl Attraction {
-    pub(crate) fn new(network: &RoadNetwork, focus: &Focus, errands: &[Vec3]) -> Self {
+    /// With the factors of the map's roundabouts.
+    pub(crate) fn new(network: &RoadNetwork, going_round: Arc<[f64]>, focus: &Focus, errands: &[Vec3]) -> Self {
         let crossings = network.crossings.iter().flat_map(|crossing| crossing.ends).map(DVec3::truncate);
         let errands = errands.iter().map(|at| at.as_dvec3().truncate());
         let busy = [crossings.collect(), errands.collect()];
@@ -69,7 +70,7 @@ impl Attraction {
         let mut attraction = Self {
             focus: focus.clone(),
             demand,
-            going_round: going_round(network),
+            going_round,
             queues: Queues::new(network),
             worth_by_view: Vec::new(),
             worth: Vec::new(),

@@ -45,20 +45,12 @@ impl ParkedBeside {
     /// Where those beside an edge are, from somebody at a place: the direction, and the room between both bodies, metres.
     pub(crate) fn around(&self, edge: WalkEdgeId, at: DVec2) -> impl Iterator<Item = (DVec2, f64)> {
         self.by_edge.get(&edge).into_iter().flatten().filter_map(move |body| {
-            let away = nearest(body, at) - at;
+            let away = body.nearest(at) - at;
             let distance = away.length();
             // Whose middle is inside already has to get out.
             (distance > 1e-6).then(|| (away / distance, distance - self.body_m))
         })
     }
-}
-
-/// The place of a body that is nearest to another place.
-fn nearest(body: &OrientedRectangle, at: DVec2) -> DVec2 {
-    let away = at - body.center;
-    let local = DVec2::new(away.dot(body.axis), away.dot(body.axis.perp()));
-    let inside = local.clamp(-body.half, body.half);
-    body.place(inside.x, inside.y)
 }
 
 #[cfg(test)]

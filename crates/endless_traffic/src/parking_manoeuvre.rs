@@ -124,18 +124,13 @@ pub(crate) fn corners(body: &OrientedRectangle) -> [DVec2; 4] {
 
 /// How far a place is outside of all of these, metres.
 pub(crate) fn outside_m(bays: &[OrientedRectangle], at: DVec2) -> f64 {
-    let outside = |bay: &OrientedRectangle| {
-        let local = at - bay.center;
-        let beyond = DVec2::new(local.dot(bay.axis).abs(), local.dot(bay.axis.perp()).abs()) - bay.half;
-        beyond.max(DVec2::ZERO).length()
-    };
-    bays.iter().map(outside).fold(f64::INFINITY, f64::min)
+    bays.iter().map(|bay| bay.distance(at)).fold(f64::INFINITY, f64::min)
 }
 
 /// Whether a place beside a lane is in a bay whose kerb is on its left (1) or right (−1), or between it and the lane.
 fn holds(bay: &OrientedRectangle, kerb: f64, at: DVec2) -> bool {
-    let local = at - bay.center;
-    let to_kerb_m = kerb * local.dot(bay.axis.perp());
+    let local = bay.local(at);
+    let to_kerb_m = kerb * local.y;
     let across = -bay.half.y - GUTTER_M..bay.half.y + OVER_KERB_M;
-    local.dot(bay.axis).abs() < bay.half.x + BETWEEN_BAYS_M && across.contains(&to_kerb_m)
+    local.x.abs() < bay.half.x + BETWEEN_BAYS_M && across.contains(&to_kerb_m)
 }

@@ -8,6 +8,7 @@ use crate::overlap::{
     ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, SweptBeside, alongside, make_room, siblings,
 };
 use crate::parked_beside::ParkedBeside;
+use crate::roundabout::going_round;
 use crate::sitting::BenchPlaces;
 use crate::stop_places::StopPlaces;
 use crate::turn_lane;
@@ -99,6 +100,8 @@ pub(crate) struct RoadTables {
     /// Lanes from which vehicles of each model can drive on for ever, or leave the map.
     allowed: Vec<Vec<bool>>,
     lanes: Vec<LaneTable>,
+    /// By lane, as [`going_round`] says.
+    going_round: Arc<[f64]>,
 }
 
 /// The network with its tables, and where traffic goes.
@@ -121,7 +124,7 @@ impl Roads {
     pub(crate) fn new(TrafficMap(tables): &TrafficMap, focus: &Focus, errands: &[Vec3]) -> Self {
         Self {
             tables: Arc::clone(tables),
-            attraction: Attraction::new(&tables.network, focus, errands),
+            attraction: Attraction::new(&tables.network, Arc::clone(&tables.going_round), focus, errands),
             midblock: Arc::default(),
             stop_places: Arc::default(),
             benches: Arc::default(),
@@ -206,7 +209,8 @@ impl TrafficMap {
                 .for_each(|swept| swept.last_m = swept.last_m.min(setbacks[swept.lane.index()]));
             table.sweeps = sweeps;
         }
-        Self(Arc::new(RoadTables { network, borders, specs: specs.to_vec(), allowed, lanes }))
+        let going_round = going_round(&network).into();
+        Self(Arc::new(RoadTables { network, borders, specs: specs.to_vec(), allowed, lanes, going_round }))
     }
 
     /// The network of which it was made.

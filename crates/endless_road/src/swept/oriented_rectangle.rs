@@ -39,6 +39,23 @@ impl OrientedRectangle {
         self.center + self.axis * ahead_m + self.axis.perp() * left_m
     }
 
+    /// How far a place is ahead of its middle and to the left of it, metres: [`Self::place`] undone.
+    pub fn local(&self, at: DVec2) -> DVec2 {
+        let away = at - self.center;
+        DVec2::new(away.dot(self.axis), away.dot(self.axis.perp()))
+    }
+
+    /// The place of it that is nearest to another place, which is itself if it is inside.
+    pub fn nearest(&self, at: DVec2) -> DVec2 {
+        let inside = self.local(at).clamp(-self.half, self.half);
+        self.place(inside.x, inside.y)
+    }
+
+    /// How far a place is outside, metres; 0 inside.
+    pub fn distance(&self, at: DVec2) -> f64 {
+        (self.local(at).abs() - self.half).max(DVec2::ZERO).length()
+    }
+
     /// Whether two of them overlap (separating axes).
     pub fn overlaps(&self, other: &Self) -> bool {
         let apart = other.center - self.center;

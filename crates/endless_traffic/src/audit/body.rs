@@ -56,9 +56,6 @@ impl Body {
 
     /// Whether a disc on the ground, so high, touches it.
     pub(crate) fn touches_disc(&self, at: DVec2, radius_m: f64, bottom_m: f64, top_m: f64) -> bool {
-        let OrientedRectangle { center, axis, half } = self.footprint;
-        let d = at - center;
-        let beyond = (DVec2::new(d.dot(axis), d.dot(axis.perp())).abs() - half).max(DVec2::ZERO);
-        beyond.length_squared() < radius_m * radius_m && self.level_with(bottom_m, top_m)
+        self.footprint.distance(at) < radius_m && self.level_with(bottom_m, top_m)
     }
 }

@@ -82,10 +82,7 @@ fn contact(one: &OrientedRectangle, other: &OrientedRectangle) -> Option<(DVec2,
     let corners = |f: &OrientedRectangle| {
         [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)].map(|(x, y)| f.place(x * f.half.x, y * f.half.y))
     };
-    let inside = |f: &OrientedRectangle, p: &DVec2| {
-        let d = *p - f.center;
-        d.dot(f.axis).abs() <= f.half.x + 1e-6 && f.axis.perp_dot(d).abs() <= f.half.y + 1e-6
-    };
+    let inside = |f: &OrientedRectangle, p: &DVec2| f.local(*p).abs().cmple(f.half + 1e-6).all();
     let mut shared: Vec<DVec2> = corners(one).into_iter().filter(|p| inside(other, p)).collect();
     shared.extend(corners(other).into_iter().filter(|p| inside(one, p)));
     let count = shared.len().max(1) as f64;
