@@ -3,7 +3,8 @@
 small_dataset() {
   local coco=crates/endless_statistics/tests/data/instances.json
   local layers=rgb,depth,instance,semantic,panoptic,normals,albedo,shadow,body_parts,flow,flow_backward
-  "$program" generate "$work/out" --videos 2 --size 321x181 --fps 5 --duration 1 --min-pixels 10 --amodal-masks --focus 0 --layers $layers
+  "$program" generate "$work/out" --videos 2 --size 321x181 --fps 5 --duration 1 --min-pixels 10 --amodal-masks \
+    --vehicles 100 --pedestrians 100 --focus 0 --layers $layers
   "$program" check "$work/out"
   "$python" scripts/check_dataset.py "$work/out"
   "$program" stats "$work/out" --json "$work/stats.json"
