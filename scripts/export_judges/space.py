@@ -72,8 +72,9 @@ def kitti_object(truth: Truth, folder: pathlib.Path) -> None:
                 homogeneous = projection @ np.vstack([kitti_corners(height, width, length, location, rotation_y), np.ones(8)])
                 pixels = (homogeneous[:2] / homogeneous[2]).T
                 # The same eight corners in another order.
-                apart = np.linalg.norm(pixels[:, None] - np.array(box["corners"])[None], axis=2).min(axis=1).max()
-                worst = max(worst, apart * o["distance_m"] / projection[0, 0])
+                apart = np.linalg.norm(pixels[:, None] - np.array(box["corners"])[None], axis=2).min(axis=1)
+                # A pixel is so many metres at a corner's own depth: those beside the camera may be much nearer than the middle.
+                worst = max(worst, (apart * homogeneous[2] / projection[0, 0]).max())
                 compared += 1
     # Metres on the object: what a lean of half a degree moves at the top, and a lens that bends.
     check(compared > 0 and worst < 0.25, "corners are off by", worst, "m")
