@@ -6,7 +6,8 @@ Needs the `eclipse-sumo` wheel, `sumolib` and `pandas`. Usage:
     cargo build --release -p endless
     python3 scripts/compare_sumo.py target/release/endless Town05 --vehicles 100 --seconds 300 --seeds 4
 
-Both see one network, our OpenDRIVE export as netconvert reads it, with our signal programs. Demand: where each of our vehicles
+Both see one network, our OpenDRIVE export as netconvert reads it, with our signal programs, our stop and give-way signs and our
+rules of who goes first where there are none. Demand: where each of our vehicles
 is when the time begins, with its speed, length and lane, and every edge that it drives in twice the time: so streets stay as full
 as ours. SUMO drives each along the same edges from the same place. Its car-following model (Krauss) and junctions are its own;
 vehicles are ours: speed factors from 0.88 to 1.12, headways from 0.75 to 1.4 s, the acceleration and braking of drivers in the
@@ -29,9 +30,7 @@ Exits with 1 if the mean time differs by more than 15 %, or a measure by more th
 """
 
 import argparse
-import bisect
 import collections
-import json
 import math
 import os
 import subprocess
@@ -39,17 +38,14 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ET
 
+from sumo_network import BEND_MPS2, give_way_as_signed, slow_down_in_bends, write_programs
+
 STEP_S = 0.5
 NEAR_M = 4.0
 # After waiting for so long our drivers take the smallest gaps that they ever take before those with priority.
 IMPATIENT_S = 25
-# Sideways acceleration in bends, and that with which drivers slow down before them and speed up behind, m/s2.
-BEND_MPS2 = 2.0
-SLOWS_DOWN_MPS2, SPEEDS_UP_MPS2 = 1.3, 1.75
 # What those reach that are slower than limits, m/s.
 MOST_MPS = {"bicycle": 4.8, "truck": 23.0, "bus": 22.0}
-# Bends are measured over so many metres to both sides of a place.
-BEND_M = 8.0
 
 
 def program(name):
@@ -66,103 +62,6 @@ def run(*command):
     if done.returncode != 0:
         sys.exit(f"{command[0]} failed:\n{done.stdout}\n{done.stderr}")
     return done
-
-
-LETTER = {"green": "G", "yellow": "y", "red": "r", "red_yellow": "u"}
-
-
-def shown(cycle, time_s):
-    time_s %= sum(phase["seconds"] for phase in cycle)
-    for phase in cycle:
-        if time_s < phase["seconds"]:
-            return phase["aspect"]
-        time_s -= phase["seconds"]
-    return cycle[-1]["aspect"]
-
-
-def write_programs(net_file, geojson_file, out_file):
-    """Our signal programs for SUMO's traffic lights: which of our groups a link obeys is in the signal's id."""
-    features = json.load(open(geojson_file))["features"]
-    cycles = {f["properties"]["signal"]: f["properties"]["cycle"] for f in features if f["properties"]["kind"] == "signal"}
-    root = ET.Element("additional")
-    net = ET.parse(net_file).getroot()
-    letters = collections.defaultdict(dict)
-    for connection in net.iter("connection"):
-        if connection.get("tl"):
-            # Where SUMO has a link yield within its green (permitted turns), it does so here.
-            letters[connection.get("tl")][int(connection.get("linkIndex"))] = connection.get("dir")
-    for logic in net.iter("tlLogic"):
-        states = [phase.get("state") for phase in logic.iter("phase")]
-        groups = {}
-        for param in logic.iter("param"):
-            key = param.get("key")
-            if key.startswith("linkSignalID:"):
-                groups[int(key.split(":")[1])] = int(param.get("value").split("_")[0])
-        links = len(states[0])
-        yields = [any(state[i] == "g" for state in states) for i in range(links)]
-        own = [cycles.get(groups.get(i)) for i in range(links)]
-        known = [cycle for cycle in own if cycle]
-        if not known:
-            continue
-        whole = sum(phase["seconds"] for phase in known[0])
-        changes = {0.0}
-        for cycle in known:
-            at = 0.0
-            for phase in cycle:
-                at += phase["seconds"]
-                changes.add(round(at, 3))
-        times = sorted(t for t in changes if t < whole - 1e-6) + [whole]
-        element = ET.SubElement(root, "tlLogic", id=logic.get("id"), type="static", programID="ours", offset="0")
-        for begin, end in zip(times, times[1:]):
-            state = ""
-            for i in range(links):
-                letter = "O" if own[i] is None else LETTER[shown(own[i], 0.5 * (begin + end))]
-                state += "g" if letter == "G" and yields[i] else letter
-            ET.SubElement(element, "phase", duration=f"{end - begin:.3f}", state=state)
-    ET.ElementTree(root).write(out_file)
-
-
-def mean_speed_through_bends(shape, limit):
-    """The mean speed of who drives along a lane at a limit, m/s, and goes through its bends at the usual acceleration sideways."""
-    along = [0.0]
-    for a, b in zip(shape, shape[1:]):
-        along.append(along[-1] + math.dist(a, b))
-
-    def at(s):
-        k = max(1, min(len(shape) - 1, bisect.bisect(along, s)))
-        u = (s - along[k - 1]) / max(along[k] - along[k - 1], 1e-9)
-        return [a + u * (b - a) for a, b in zip(shape[k - 1], shape[k])]
-
-    stations = max(int(along[-1] // 2), 1)
-    step = along[-1] / stations
-    speeds = []
-    for k in range(stations + 1):
-        middle = min(max(k * step, BEND_M), along[-1] - BEND_M)
-        if along[-1] < 2 * BEND_M:
-            speeds.append(limit)
-            continue
-        a, b, c = at(middle - BEND_M), at(middle), at(middle + BEND_M)
-        # Of the circle through three points.
-        area = abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
-        curvature = 2 * area / max(math.dist(a, b) * math.dist(b, c) * math.dist(a, c), 1e-9)
-        speeds.append(min(limit, math.sqrt(BEND_MPS2 / max(curvature, 1e-9))))
-    for k in range(1, len(speeds)):
-        speeds[k] = min(speeds[k], math.sqrt(speeds[k - 1] ** 2 + 2 * SPEEDS_UP_MPS2 * step))
-    for k in reversed(range(len(speeds) - 1)):
-        speeds[k] = min(speeds[k], math.sqrt(speeds[k + 1] ** 2 + 2 * SLOWS_DOWN_MPS2 * step))
-    return len(speeds) / sum(1 / max(speed, 0.1) for speed in speeds)
-
-
-def slow_down_in_bends(net_file):
-    """Gives the lanes of roads with bends the speed that these allow."""
-    tree = ET.parse(net_file)
-    for edge in tree.getroot().iter("edge"):
-        if edge.get("function") == "internal":
-            continue
-        for lane in edge.iter("lane"):
-            shape = [tuple(map(float, point.split(",")[:2])) for point in lane.get("shape").split()]
-            lane.set("speed", f"{mean_speed_through_bends(shape, float(lane.get('speed'))):.2f}")
-    tree.write(net_file)
 
 
 class Network:
@@ -349,6 +248,7 @@ def compare(args, seed, folder):
     run(program("netconvert"), "--opendrive-files", file("map.xodr"), "--output.original-names", "--junctions.endpoint-shape",
         "--offset.disable-normalization", "--junctions.limit-turn-speed", str(BEND_MPS2), "-o", file("map.net.xml"))
     slow_down_in_bends(file("map.net.xml"))
+    give_way_as_signed(file("map.net.xml"), file("map.geojson"))
     run(args.endless, "simulate", args.map, "--seconds", 2 * args.seconds, "--vehicles", args.vehicles, "--pedestrians", 0,
         "--seed", seed, "--fps", round(1 / STEP_S), "--out", file("ours.csv"))
     write_programs(file("map.net.xml"), file("map.geojson"), file("programs.add.xml"))
