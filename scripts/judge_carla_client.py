@@ -23,8 +23,8 @@ from judge_carla import check
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent
 MAP = "Town02"
-RECIPE = ["--maps", MAP, "--videos", "1", "--size", "160x96", "--fps", "10", "--duration", "3", "--vehicles", "30",
-          "--pedestrians", "10", "--min-pixels", "10"]
+RECIPE = ["--maps", MAP, "--videos", "1", "--size", "160x96", "--fps", "10", "--duration", "3", "--vehicles", "60",
+          "--pedestrians", "10", "--min-pixels", "10", "--times", "morning"]
 
 
 def run(*command):
