@@ -113,7 +113,7 @@ def give_way_as_signed(net_file, geojson_file):
     """Who gives way at junctions without lights, as our map has it: netconvert guesses from the widths of roads and knows no stop
     signs. Signs come first, then who turns back waits, and who turns left for those who come towards them; then the right goes
     before the left (`gives_way` of endless_road). Junctions where all must stop stay as they are: SUMO lets one in after the other
-    there, and the 87 vehicles of Town07 need 541 s instead of 300."""
+    there, and of 87 vehicles of Town07 33 never come to their end, the others in 541 s instead of 300."""
     features = json.load(open(geojson_file))["features"]
     ends = [(f["geometry"]["coordinates"][-1], f["properties"]["end"]) for f in features
             if f["properties"]["kind"] == "lane" and f["properties"]["junction"] is None]
