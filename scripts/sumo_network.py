@@ -30,11 +30,6 @@ def write_programs(net_file, geojson_file, out_file):
     cycles = {f["properties"]["signal"]: f["properties"]["cycle"] for f in features if f["properties"]["kind"] == "signal"}
     root = ET.Element("additional")
     net = ET.parse(net_file).getroot()
-    letters = collections.defaultdict(dict)
-    for connection in net.iter("connection"):
-        if connection.get("tl"):
-            # Where SUMO has a link yield within its green (permitted turns), it does so here.
-            letters[connection.get("tl")][int(connection.get("linkIndex"))] = connection.get("dir")
     for logic in net.iter("tlLogic"):
         states = [phase.get("state") for phase in logic.iter("phase")]
         groups = {}
@@ -43,6 +38,7 @@ def write_programs(net_file, geojson_file, out_file):
             if key.startswith("linkSignalID:"):
                 groups[int(key.split(":")[1])] = int(param.get("value").split("_")[0])
         links = len(states[0])
+        # Where SUMO has a link yield within its green (permitted turns), it does so here.
         yields = [any(state[i] == "g" for state in states) for i in range(links)]
         own = [cycles.get(groups.get(i)) for i in range(links)]
         known = [cycle for cycle in own if cycle]
@@ -97,6 +93,11 @@ def mean_speed_through_bends(shape, limit):
     return len(speeds) / sum(1 / max(speed, 0.1) for speed in speeds)
 
 
+def points(lane):
+    """The middle of a lane of SUMO's."""
+    return [tuple(map(float, point.split(",")[:2])) for point in lane.get("shape").split()]
+
+
 def slow_down_in_bends(net_file):
     """Gives the lanes of roads with bends the speed that these allow."""
     tree = ET.parse(net_file)
@@ -104,8 +105,7 @@ def slow_down_in_bends(net_file):
         if edge.get("function") == "internal":
             continue
         for lane in edge.iter("lane"):
-            shape = [tuple(map(float, point.split(",")[:2])) for point in lane.get("shape").split()]
-            lane.set("speed", f"{mean_speed_through_bends(shape, float(lane.get('speed'))):.2f}")
+            lane.set("speed", f"{mean_speed_through_bends(points(lane), float(lane.get('speed'))):.2f}")
     tree.write(net_file)
 
 
@@ -119,7 +119,7 @@ def give_way_as_signed(net_file, geojson_file):
             if f["properties"]["kind"] == "lane" and f["properties"]["junction"] is None]
     tree = ET.parse(net_file)
     root = tree.getroot()
-    shapes = {lane.get("id"): [tuple(map(float, point.split(",")[:2])) for point in lane.get("shape").split()] for lane in root.iter("lane")}
+    shapes = {lane.get("id"): points(lane) for lane in root.iter("lane")}
 
     def control(lane):
         distance, found = min((math.dist(shapes[lane][-1], end[:2]), sign) for end, sign in ends)
@@ -136,9 +136,9 @@ def give_way_as_signed(net_file, geojson_file):
 
     def gives_way(a, b):
         """Of two links, each sign, turn, heading and number."""
-        rank = lambda link: ("stop", "yield").index(link[0]) - 2 if link[0] in ("stop", "yield") else 0
+        rank = lambda link: {"yield": 1, "stop": 2}.get(link[0], 0)
         if rank(a) != rank(b):
-            return rank(a) < rank(b)
+            return rank(a) > rank(b)
         angle = math.degrees(math.remainder(b[2] - a[2], 2 * math.pi))
         oncoming = abs(angle) > 135
         if (a[1] == "t") != (b[1] == "t"):
@@ -162,8 +162,7 @@ def give_way_as_signed(net_file, geojson_file):
                 lane = connection.get("from") + "_" + connection.get("fromLane")
                 (x0, y0), (x1, y1) = shapes[lane][-2:]
                 known[place] = (control(lane), connection.get("dir"), math.atan2(y1 - y0, x1 - x0), place, connection)
-        all_stop = all(link[0] == "stop" for link in known.values())
-        if all_stop:
+        if all(link[0] == "stop" for link in known.values()):
             continue
         for place, link in known.items():
             # Their digits are counted from the last.
