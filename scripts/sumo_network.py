@@ -109,21 +109,27 @@ def slow_down_in_bends(net_file):
     tree.write(net_file)
 
 
+def signs(net_file, geojson_file):
+    """What our map has at the end of each of SUMO's lanes: "free", "yield", "stop" or "signal"."""
+    features = json.load(open(geojson_file))["features"]
+    ends = [(f["geometry"]["coordinates"][-1], f["properties"]["end"]) for f in features
+            if f["properties"]["kind"] == "lane" and f["properties"]["junction"] is None]
+    found = {}
+    for lane in ET.parse(net_file).getroot().iter("lane"):
+        distance, sign = min((math.dist(points(lane)[-1], end[:2]), sign) for end, sign in ends)
+        found[lane.get("id")] = sign if distance < 1.0 else "free"
+    return found
+
+
 def give_way_as_signed(net_file, geojson_file):
     """Who gives way at junctions without lights, as our map has it: netconvert guesses from the widths of roads and knows no stop
     signs. Signs come first, then who turns back waits, and who turns left for those who come towards them; then the right goes
     before the left (`gives_way` of endless_road). Junctions where all must stop stay as they are: SUMO lets one in after the other
     there, and of 87 vehicles of Town07 33 never come to their end, the others in 541 s instead of 300."""
-    features = json.load(open(geojson_file))["features"]
-    ends = [(f["geometry"]["coordinates"][-1], f["properties"]["end"]) for f in features
-            if f["properties"]["kind"] == "lane" and f["properties"]["junction"] is None]
+    control = signs(net_file, geojson_file)
     tree = ET.parse(net_file)
     root = tree.getroot()
     shapes = {lane.get("id"): points(lane) for lane in root.iter("lane")}
-
-    def control(lane):
-        distance, found = min((math.dist(shapes[lane][-1], end[:2]), sign) for end, sign in ends)
-        return found if distance < 1.0 else "free"
 
     # Of each connection the lane inside the junction by whose place SUMO numbers it: the last, where one waits in the middle.
     onwards = {c.get("from") + "_" + c.get("fromLane"): c.get("via") for c in root.iter("connection") if c.get("from").startswith(":")}
@@ -161,7 +167,7 @@ def give_way_as_signed(net_file, geojson_file):
             if connection is not None and place in requests:
                 lane = connection.get("from") + "_" + connection.get("fromLane")
                 (x0, y0), (x1, y1) = shapes[lane][-2:]
-                known[place] = (control(lane), connection.get("dir"), math.atan2(y1 - y0, x1 - x0), place, connection)
+                known[place] = (control[lane], connection.get("dir"), math.atan2(y1 - y0, x1 - x0), place, connection)
         if all(link[0] == "stop" for link in known.values()):
             continue
         for place, link in known.items():
