@@ -11,13 +11,13 @@ rules of who goes first where there are none. Demand: where each of our vehicles
 and those who park: where and when they come onto a road), with its speed, length and lane, every edge that it drives along in
 twice the time, so that streets stay as full as ours, and where it stops of its own accord. SUMO drives each along the same edges
 from the same place. Its car-following model (Krauss) and junctions are its own; vehicles are ours: speed factors from 0.88 to 1.12,
-headways with which queues leave lights as ours do, the acceleration and braking of drivers in the mean, bends taken at 2 m/s2 sideways, and the speeds
-that lorries, buses and bicycles reach, where SUMO's own figures would be 2.6 and 4.5 and 5.5 m/s2. SUMO knows bends in junctions
+headways with which queues leave lights as ours do, the acceleration and braking of drivers in the mean (SUMO's own would be 2.6
+and 4.5 m/s2), bends taken at 2 m/s2 sideways, and the speeds that lorries, buses and bicycles reach. SUMO knows bends in junctions
 alone: each road's lanes have the mean speed with which its bends let one through. Those on two wheels are driven as short cars.
 
 Who waits at a stop sign takes the headways of the Highway Capacity Manual 2010 as nearly as SUMO can: 7.1 s to turn left, 6.2 s to
-turn right. With SUMO's own figures nobody turns left before those with priority in less than about 15 s, and minor roads come to
-stand; with the greatest `impatience` it is 7.6 to 8.1 s (Town01 and Town07, 100 vehicles).
+turn right. With SUMO's own figures nobody turns left before those with priority in less than about 15 s, and Town01's drivers
+take half as long again; with the greatest `impatience` it is 7.0 to 8.6 s (four towns, 60 and 100 vehicles).
 
 Printed: mean time to where each of ours is when the time ends, ours and SUMO's; five surrogate safety measures, computed by the same
 code from both trajectories (twice a second, on lanes outside junctions); and the critical headways at stop signs, where enough wait.
