@@ -28,7 +28,6 @@ Exits with 1 if the mean time differs by more than 15 %, a measure by more than 
 import argparse
 import collections
 import os
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ET
@@ -36,27 +35,12 @@ import xml.etree.ElementTree as ET
 import critical_headway
 from sumo_demand import Network, read_ours, write_demand
 from sumo_network import BEND_MPS2, give_way_as_signed, signs, slow_down_in_bends, write_programs
+from sumo_programs import program, run
 from surrogate_safety import surrogate_safety
 
 STEP_S = 0.5
 # Where fewer come to their end in three times the time, traffic stands and travel times tell nothing.
 COME_THROUGH = 0.9
-
-
-def program(name):
-    beside = os.path.join(os.path.dirname(sys.executable), name)
-    if os.path.exists(beside):
-        return beside
-    import sumo
-
-    return os.path.join(sumo.SUMO_HOME, "bin", name)
-
-
-def run(*command):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{command[0]} failed:\n{done.stdout}\n{done.stderr}")
-    return done
 
 
 def read_theirs(fcd_file, stops_file, kept):
@@ -90,37 +74,42 @@ def read_theirs(fcd_file, stops_file, kept):
 Comparison = collections.namedtuple("Comparison", "ours_s theirs_s vehicles come_through measures headways")
 
 
+def files(folder):
+    """The files of a folder, which is made."""
+    os.makedirs(folder, exist_ok=True)
+    return lambda name: os.path.join(folder, name)
+
+
 def make_network(args, file):
-    """SUMO's network of the map, and our signal programs for it."""
+    """SUMO's network of the map, with our signal programs beside it, and the signs on it."""
     for kind, name in (("--opendrive", "map.xodr"), ("--geojson", "map.geojson")):
         run(args.endless, "maps", "export", args.map, kind, file(name))
     run(program("netconvert"), "--opendrive-files", file("map.xodr"), "--output.original-names", "--junctions.endpoint-shape",
         "--offset.disable-normalization", "--junctions.limit-turn-speed", str(BEND_MPS2), "-o", file("map.net.xml"))
     slow_down_in_bends(file("map.net.xml"))
-    give_way_as_signed(file("map.net.xml"), file("map.geojson"))
+    signed = signs(file("map.net.xml"), file("map.geojson"))
+    give_way_as_signed(file("map.net.xml"), signed)
     write_programs(file("map.net.xml"), file("map.geojson"), file("programs.add.xml"))
+    return Network(file("map.net.xml")), signed
 
 
-def drive_in_sumo(args, seed, file, kept):
+def drive_in_sumo(args, seed, map_file, file, kept):
     """SUMO's samples of our vehicles, and when each has come to where its trip ends."""
-    run(program("sumo"), "-n", file("map.net.xml"), "-a", file("programs.add.xml"), "-r", file("demand.rou.xml"),
+    run(program("sumo"), "-n", map_file("map.net.xml"), "-a", map_file("programs.add.xml"), "-r", file("demand.rou.xml"),
         "--fcd-output", file("sumo.fcd.xml"), "--stop-output", file("stops.xml"), "--step-length", "0.1", "--device.fcd.period", STEP_S,
         "--end", args.seconds * 3, "--time-to-teleport", "-1", "--seed", seed, "--collision.action", "warn", "--no-step-log")
     return read_theirs(file("sumo.fcd.xml"), file("stops.xml"), kept)
 
 
-def compare(args, seed, folder):
+def compare(args, seed, folder, network, signed):
     """With one seed: mean times, ours and SUMO's, seconds, of how many vehicles they are, whether nearly all came to their end, both's
     medians of each measure, and both's headways at stop signs."""
-    os.makedirs(folder, exist_ok=True)
-    file = lambda name: os.path.join(folder, name)
-    make_network(args, file)
+    map_file, file = files(folder), files(os.path.join(folder, str(seed)))
     run(args.endless, "simulate", args.map, "--seconds", 2 * args.seconds, "--vehicles", args.vehicles, "--pedestrians", 0,
         "--seed", seed, "--fps", round(1 / STEP_S), "--out", file("ours.csv"))
-    network = Network(file("map.net.xml"))
     rows, trips = read_ours(file("ours.csv"), network)
     kept = write_demand(trips, network, args.seconds, file("demand.rou.xml"))
-    theirs, arrived = drive_in_sumo(args, seed, file, kept)
+    theirs, arrived = drive_in_sumo(args, seed, map_file, file, kept)
     both = [v for v in kept if v in arrived]
     come_through = len(both) >= COME_THROUGH * len(kept)
     ours_s = sum(kept[v].end.time - kept[v].begin.time for v in both) / max(len(both), 1)
@@ -137,7 +126,6 @@ def compare(args, seed, folder):
     measures = [surrogate_safety(samples, STEP_S) for samples in (ours, theirs)]
     for name in measures[0]:
         print(f"{name:12} ours {measures[0][name]:6.2f}   SUMO's {measures[1][name]:6.2f}")
-    signed = signs(file("map.net.xml"), file("map.geojson"))
     headways = [critical_headway.headways(samples, network, signed) for samples in (ours, theirs)]
     return Comparison(ours_s, theirs_s, len(both), come_through, [(of, measures[1][name]) for name, of in measures[0].items()], headways)
 
@@ -159,10 +147,11 @@ def main():
     parser.add_argument("--seconds", type=float, default=300)
     parser.add_argument("--seed", type=int, default=1, help="the first seed")
     parser.add_argument("--seeds", type=int, default=1, help="how many, from the first on: times are the mean of all")
-    parser.add_argument("--keep", help="a folder for all files, with one in it for each seed")
+    parser.add_argument("--keep", help="a folder for all files: the network, and in it a folder for each seed")
     args = parser.parse_args()
     folder = args.keep or tempfile.mkdtemp()
-    found = [compare(args, seed, os.path.join(folder, str(seed))) for seed in range(args.seed, args.seed + args.seeds)]
+    network, signed = make_network(args, files(folder))
+    found = [compare(args, seed, folder, network, signed) for seed in range(args.seed, args.seed + args.seeds)]
     number = max(sum(of.vehicles for of in found), 1)
     ours_s, theirs_s = sum(of.ours_s * of.vehicles for of in found) / number, sum(of.theirs_s * of.vehicles for of in found) / number
     if args.seeds > 1:

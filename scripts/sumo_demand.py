@@ -102,13 +102,12 @@ def stops(trips):
 
     found = {}
     for vehicle, (own, places) in trips.items():
-        stood = sorted(own["time"][own["speed"] < STANDS_MPS])
+        stood = list(own["time"][own["speed"] < STANDS_MPS])
         mine = []
         for before, after in zip(places, places[1:]):
-            if before.lane.getEdge() is after.lane.getEdge():
-                between = [time for time in stood if before.time < time < after.time]
-                if between:
-                    mine.append(Stop(before.time, before.lane, after.pos, after.time - before.time, True))
+            away_s = after.time - before.time
+            if away_s >= LEAST_STOP_S and before.lane.getEdge() is after.lane.getEdge() and any(before.time < t < after.time for t in stood):
+                mine.append(Stop(before.time, before.lane, after.pos, away_s, True))
         for still, run in itertools.groupby(places, alone):
             run = list(run)
             if still:

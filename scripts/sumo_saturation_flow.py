@@ -10,8 +10,8 @@ import statistics
 import tempfile
 import xml.etree.ElementTree as ET
 
-from compare_sumo import program, run
 from sumo_demand import driver
+from sumo_programs import program, run
 
 QUEUES, CARS, CAR_M, SPACE_M, LINE_M = 12, 25, 4.6, 12, 480
 BEGINS = 4
